@@ -1,0 +1,39 @@
+# How every target of Blossom is compiled, and the one way to declare a library, so that each folder's CMakeLists.txt
+# only says what it is and what it stands on.
+
+add_library(blossom_flags INTERFACE)
+# Never contract a*b+c: the recorded and the unrecorded instantiation of one template must give the same bits.
+target_compile_options(blossom_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                                               -Wno-sign-conversion)
+# glm::vec with a class as scalar (the exact rational) needs plain members instead of anonymous unions.
+target_compile_definitions(blossom_flags INTERFACE GLM_FORCE_XYZW_ONLY)
+target_include_directories(blossom_flags INTERFACE ${PROJECT_SOURCE_DIR}/engine)
+if(BLOSSOM_NATIVE)
+  target_compile_options(blossom_flags INTERFACE -march=native)
+endif()
+if(BLOSSOM_WERROR)
+  target_compile_options(blossom_flags INTERFACE -Werror)
+endif()
+if(BLOSSOM_SANITIZE)
+  target_compile_options(blossom_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                                                 -fno-omit-frame-pointer)
+  target_link_options(blossom_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# blossom_library(base DEPENDS geometry kernel ...): libblossom_base.a of every *.cpp in this folder. DEPENDS are other
+# Blossom folders or CMake targets; they are the only headers-with-code this folder may use.
+function(blossom_library name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(sources)
+    add_library(blossom_${name} STATIC ${sources})
+    set(scope PUBLIC)
+  else()
+    add_library(blossom_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_link_libraries(blossom_${name} ${scope} blossom_flags ${ARG_LIBRARIES})
+  foreach(dependency IN LISTS ARG_DEPENDS)
+    target_link_libraries(blossom_${name} ${scope} blossom_${dependency})
+  endforeach()
+endfunction()

@@ -1,0 +1,46 @@
+#pragma once
+// What is wrong with an input, where, and what would be right. All mistakes are collected; none is printed here.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace blossom {
+
+struct Diagnostic {
+  std::string file;     // empty: not from a file
+  int line = 0;         // 1-based; 0: unknown
+  int column = 0;       // 1-based, in characters (UTF-8 code points); 0: unknown
+  std::string path;     // "inputs.curve.points[2][1]"; empty: the whole document
+  std::string message;  // what is wrong, and what would be right
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+// "file:line:column: path: message", leaving out the parts that are unknown. Control characters in file, path and
+// message (they may come from a hostile file) are written as \xNN, so that one diagnostic is one line.
+std::string to_string(const Diagnostic&);
+std::string to_string(const Diagnostics&);  // one per line, in the order of their places
+
+// A value, or the reasons why there is none.
+template <class T>
+struct Checked {
+  std::optional<T> value;
+  Diagnostics diagnostics;
+
+  Checked() = default;
+  Checked(T v) : value(std::move(v)) {}                       // NOLINT
+  Checked(Diagnostics d) : diagnostics(std::move(d)) {}       // NOLINT
+  explicit operator bool() const { return value.has_value(); }
+  T& operator*() { return *value; }
+  const T& operator*() const { return *value; }
+  T* operator->() { return &*value; }
+  const T* operator->() const { return &*value; }
+};
+
+// The candidate nearest to `word` in edit distance, if near enough to be a typing mistake.
+std::optional<std::string> did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace blossom
