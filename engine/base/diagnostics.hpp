@@ -19,10 +19,10 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
-// "file:line:column: path: message", leaving out the parts that are unknown. Control characters in file, path and
-// message (they may come from a hostile file) are written as \xNN, so that one diagnostic is one line.
+// "file:line:column: path: message", leaving out the parts that are unknown. Control characters and invalid UTF-8 in
+// file, path and message (they may come from a hostile file) are written as \xNN, so that one diagnostic is one line.
 std::string to_string(const Diagnostic&);
-std::string to_string(const Diagnostics&);  // one per line, in the order of their places
+std::string to_string(const Diagnostics&);  // one per line, by file, line and column
 
 // A value, or the reasons why there is none.
 template <class T>
@@ -31,14 +31,17 @@ struct Checked {
   Diagnostics diagnostics;
 
   Checked() = default;
-  Checked(T v) : value(std::move(v)) {}                       // NOLINT
-  Checked(Diagnostics d) : diagnostics(std::move(d)) {}       // NOLINT
+  Checked(T v) : value(std::move(v)) {}                  // NOLINT
+  Checked(Diagnostics d) : diagnostics(std::move(d)) {}  // NOLINT
   explicit operator bool() const { return value.has_value(); }
   T& operator*() { return *value; }
   const T& operator*() const { return *value; }
   T* operator->() { return &*value; }
   const T* operator->() const { return &*value; }
 };
+
+// The text in quotation marks, for messages: at most 40 characters of it, then "...".
+std::string excerpt(std::string_view text);
 
 // The candidate nearest to `word` in edit distance, if near enough to be a typing mistake.
 std::optional<std::string> did_you_mean(std::string_view word, const std::vector<std::string>& candidates);

@@ -18,12 +18,12 @@ namespace blossom {
 
 class Exact {
  public:
-  Exact() noexcept = default;                 // 0
-  Exact(int n) noexcept : num_(n) {}          // NOLINT: integers are rationals
-  Exact(std::int64_t n) noexcept;             // NOLINT (INT64_MIN is stored big)
-  explicit Exact(double value);               // the double's own value (a dyadic rational); precondition: finite
+  Exact() noexcept = default;         // 0
+  Exact(int n) noexcept : num_(n) {}  // NOLINT: integers are rationals
+  Exact(std::int64_t n) noexcept;     // NOLINT (INT64_MIN is stored big)
+  explicit Exact(double value);       // the double's own value (a dyadic rational); precondition: finite
   static Exact ratio(std::int64_t n, std::int64_t d);  // n/d in lowest terms; precondition: d != 0
-  static Exact approximate(double value);     // known only in double precision; precondition: finite
+  static Exact approximate(double value);              // known only in double precision; precondition: finite
 
   // "7", "-3/2", "0.4", "+1.5e-3". Nothing if the text is no number, or is hostile: more than 400 characters, a decimal
   // exponent beyond +-400, a denominator of zero. Leading and trailing blanks are not accepted.

@@ -1,8 +1,11 @@
 #pragma once
 // The only door for files from outside. Reads JSON (RFC 8259, UTF-8) through nlohmann-json's SAX interface into a small
-// tree that knows where each value stood, keeps each number's own text, and refuses what is hostile: too large, too deep,
-// too many values, duplicate keys, numbers no double can hold, bytes after the document, a NUL, invalid UTF-8.
+// tree that knows where each value stood, keeps each number's own text, and refuses what is hostile: too large, too
+// deep, too many values, duplicate keys, numbers above the largest double (1e400; 1e-400 is an exact number like any
+// other), bytes after the document, a NUL byte, lone surrogates, invalid UTF-8. A byte order mark before the document
+// is skipped.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -18,7 +21,7 @@
 namespace blossom {
 
 struct JsonLimits {
-  std::size_t bytes = 16u << 20;
+  std::size_t bytes = 16u << 20;  // of 4 GB at most
   int depth = 32;
   std::size_t values = 2'000'000;  // of every kind, keys not counted
 };
@@ -28,11 +31,11 @@ struct Json {
   enum class Kind : std::uint8_t { null, boolean, number, string, array, object };
   Kind kind = Kind::null;
   bool boolean = false;
-  std::uint32_t token = 0;  // its place: the how-many-th event of the reader
-  std::string text;         // a string's value; a number's own text as typed
-  std::vector<Json> items;  // an array's items; an object's values, in the order of the file
-  std::vector<std::string> keys;            // an object's keys, beside items
-  std::vector<std::uint32_t> key_tokens;    // and their places
+  std::uint32_t token = 0;                // its place: the how-many-th key or value of the document, from 0
+  std::string text;                       // a string's value; a number's own text as typed
+  std::vector<Json> items;                // an array's items; an object's values, in the order of the file
+  std::vector<std::string> keys;          // an object's keys, beside items
+  std::vector<std::uint32_t> key_tokens;  // and their places
 
   const Json* find(std::string_view key) const;  // an object's value of that key, or nullptr
 };
@@ -56,12 +59,14 @@ class JsonDocument {
   std::string name_;
   std::string text_;
   Json root_;
-  JsonLimits limits_;
-  mutable std::shared_ptr<const std::vector<std::uint32_t>> offsets_;  // byte offset of each token
+  mutable std::shared_ptr<const std::vector<std::pair<int, int>>> places_;  // line and column of each token
 };
 
+inline constexpr std::size_t most_diagnostics = 10'000;
+
 // Walks a document and collects every mistake: a cursor is a place in the tree with its path. A reader asks for what it
-// wants; a wrong kind, a missing or an unknown key adds a diagnostic and reading goes on.
+// wants; a wrong kind, a missing or an unknown key adds a diagnostic and reading goes on. From most_diagnostics on no
+// more are added: a hostile file must not fill the memory with them.
 class Cursor {
  public:
   Cursor(const JsonDocument& document, Diagnostics& diagnostics);  // at the root
@@ -74,12 +79,16 @@ class Cursor {
   // Adds a diagnostic at this place. "must be a positive integer, not \"x\"".
   void error(std::string message) const;
   bool has_errors() const { return !diagnostics_->empty(); }
+  // For a reader that must know whether its own part was right: error_count() before, errors_since(count) after.
+  std::size_t error_count() const { return diagnostics_->size(); }
+  bool errors_since(std::size_t count) const { return diagnostics_->size() > std::min(count, most_diagnostics); }
 
-  // Objects. expect_object says if this is none, and names every key that is not in `known` (with "did you mean").
+  // Objects. expect_object says if this is none, and names every key that is not in `known` (with "did you mean"); true
+  // if it is an object, unknown keys or not.
   bool expect_object(const std::vector<std::string>& known) const;
-  std::optional<Cursor> optional(std::string_view key) const;  // nothing when absent, silently
-  std::optional<Cursor> required(std::string_view key) const;  // nothing when absent, with a diagnostic
-  Cursor member(std::size_t index) const;                      // the index-th member's value
+  std::optional<Cursor> optional(std::string_view key) const;    // nothing when absent, silently
+  std::optional<Cursor> required(std::string_view key) const;    // nothing when absent, with a diagnostic
+  Cursor member(std::size_t index) const;                        // the index-th member's value
   void key_error(std::size_t index, std::string message) const;  // at the key itself
 
   // Arrays. Says if this is none or its length is outside [at_least, at_most].
@@ -87,7 +96,8 @@ class Cursor {
   std::size_t size() const { return json_->items.size(); }
   Cursor operator[](std::size_t index) const;
 
-  // Scalars: nothing, with a diagnostic, when it is not one. A number may be a JSON number or an exact string ("2/5").
+  // Scalars: nothing, with a diagnostic, when it is not one. A number may be a JSON number or an exact string ("2/5"),
+  // is what Exact::parse accepts, and is refused above the largest double.
   std::optional<Exact> number() const;
   std::optional<int> integer(int at_least, int at_most) const;
   std::optional<std::string> string() const;

@@ -1,0 +1,327 @@
+#include "algorithms/narrate.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace blossom {
+
+template <Scalar S>
+struct Narrator<S>::Context {
+  std::uint32_t step;
+  ValueId value;                        // the step's main value, or absent
+  std::string scope;                    // where unqualified names are looked up first
+  const ValueSpec* spec = nullptr;      // of the main value
+  std::uint32_t phase = absent;           // the phase the step is in
+};
+
+template <Scalar S>
+Narrator<S>::Narrator(const Run<S>& run) : run_(&run), labels_(run.trace.polar_labels()) {}
+
+template <Scalar S>
+const Algorithm& Narrator<S>::algorithm_at(std::uint32_t step) const {
+  const auto& phases = trace().phases();
+  std::uint32_t phase = trace().step(step).phase;
+  // The step that introduces a phase still belongs to what is around it.
+  if (phase != absent && trace().introduced_by(step) == phase) phase = phases[phase].parent;
+  for (; phase != absent; phase = phases[phase].parent)
+    if (!phases[phase].algorithm.empty())
+      if (const Algorithm* found = find_algorithm(phases[phase].algorithm)) return *found;
+  return *run_->algorithm;
+}
+
+template <Scalar S>
+std::string Narrator<S>::kind(std::uint32_t step) const {
+  if (trace().introduced_by(step) != absent) return "phase";
+  const ValueId v = trace().main_value(step);
+  return v == absent || trace().is_input(v) ? "given" : std::string(trace().value(v).rule->name);
+}
+
+namespace {
+
+// The table entry that explains a value: of the algorithm around it, or of one further out.
+const ValueSpec* spec_of(const Algorithm& inner, const Algorithm& outer, const Name& name) {
+  const ValueSpec* spec = inner.spec(name);
+  return spec != nullptr ? spec : outer.spec(name);
+}
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+}  // namespace
+
+template <Scalar S>
+int Narrator<S>::line(std::uint32_t step) const {
+  const Algorithm& algorithm = algorithm_at(step);
+  if (const std::uint32_t phase = trace().introduced_by(step); phase != absent) {
+    const PhaseSpec* spec = algorithm.phase(trace().phases()[phase].id);
+    return spec != nullptr ? spec->line : 0;
+  }
+  const ValueId v = trace().main_value(step);
+  if (v == absent) return 0;
+  const ValueSpec* spec = spec_of(algorithm, *run_->algorithm, trace().value(v).name);
+  return spec != nullptr ? spec->line : 0;
+}
+
+template <Scalar S>
+std::string Narrator<S>::phase_title(std::uint32_t phase) const {
+  const auto& record = trace().phases()[phase];
+  const Algorithm& algorithm = algorithm_at(record.first_step);
+  const PhaseSpec* spec = algorithm.phase(record.id);
+  Context context{record.first_step, absent, "", nullptr, phase};
+  return spec != nullptr ? fill_in(spec->title, context, nullptr) : record.label();
+}
+
+template <Scalar S>
+std::string Narrator<S>::text(std::uint32_t step) const {
+  const Algorithm& algorithm = algorithm_at(step);
+  std::string_view narration;
+  if (const std::uint32_t phase = trace().introduced_by(step); phase != absent) {
+    const auto& record = trace().phases()[phase];
+    const PhaseSpec* spec = algorithm.phase(record.id);
+    narration = spec != nullptr ? spec->narration : std::string_view("Next: {phase}.");
+  } else {
+    const ValueId v = trace().main_value(step);
+    if (v == absent || trace().is_input(v)) {
+      narration = algorithm.given_narration;
+    } else {
+      const ValueSpec* spec = spec_of(algorithm, *run_->algorithm, trace().value(v).name);
+      narration = spec != nullptr ? spec->narration : std::string_view("{name} = {formula} = {value}");
+    }
+  }
+  return fill(narration, step);
+}
+
+template <Scalar S>
+std::string Narrator<S>::value_text(ValueId v) const {
+  const auto numbers = trace().numbers(v);
+  const auto list = [](auto begin, auto end) {
+    std::string text = "(";
+    for (auto it = begin; it != end; ++it) text += (it != begin ? ", " : "") + format_number(*it);
+    return text + ")";
+  };
+  switch (trace().value(v).kind) {
+    case ValueKind::integer:
+    case ValueKind::scalar: return format_number(numbers[0]);
+    case ValueKind::list: return list(numbers.begin(), numbers.end());
+    case ValueKind::vector: {
+      std::vector<S> shown(numbers.begin(), numbers.begin() + trace().dimension);
+      if (trace().rational) shown.push_back(numbers[3]);
+      return list(shown.begin(), shown.end());
+    }
+    case ValueKind::point: break;
+  }
+  std::vector<S> shown(numbers.begin(), numbers.begin() + trace().dimension);
+  if (!trace().rational) return list(shown.begin(), shown.end());
+  const S& w = numbers[3];
+  if (w == S(0)) return "at infinity, direction " + list(shown.begin(), shown.end());
+  for (S& x : shown) x = x / w;
+  return list(shown.begin(), shown.end()) + ", w = " + format_number(w);
+}
+
+template <Scalar S>
+std::string Narrator<S>::polar(ValueId v) const {
+  return labels_[v].empty() ? std::string() : to_string(labels_[v]);
+}
+
+namespace {
+
+// A rule's formula with its operands' texts.
+std::string fill_formula(std::string_view formula, const std::vector<std::string>& operands) {
+  std::string text;
+  for (std::size_t i = 0; i < formula.size(); ++i) {
+    if (formula[i] != '{') {
+      text += formula[i];
+      continue;
+    }
+    const std::size_t end = formula.find('}', i);
+    const std::string_view inside = formula.substr(i + 1, end - i - 1);
+    if (inside == "*") {
+      for (std::size_t o = 0; o < operands.size(); ++o) text += (o > 0 ? ", " : "") + operands[o];
+    } else {
+      text += operands[static_cast<std::size_t>(inside[0] - '0')];
+    }
+    i = end;
+  }
+  return text;
+}
+
+}  // namespace
+
+template <Scalar S>
+std::string Narrator<S>::formula(ValueId v) const {
+  if (trace().is_input(v)) return "given";
+  std::vector<std::string> names;
+  const std::string scope = trace().scope(v);
+  for (const ValueId o : trace().operands(v)) {
+    std::string name = trace().name(o);
+    if (name.starts_with(scope)) name.erase(0, scope.size());  // within one phase the local name reads better
+    names.push_back(std::move(name));
+  }
+  return fill_formula(trace().value(v).rule->formula, names);
+}
+
+template <Scalar S>
+std::string Narrator<S>::numbers(ValueId v) const {
+  if (trace().is_input(v)) return value_text(v);
+  std::vector<std::string> values;
+  for (const ValueId o : trace().operands(v)) {
+    std::string text = value_text(o);
+    // A negative number or a fraction inside a formula needs its parentheses.
+    if (trace().numbers(o).size() == 1 && text.find_first_of("-/") != std::string::npos) text = "(" + text + ")";
+    values.push_back(std::move(text));
+  }
+  return fill_formula(trace().value(v).rule->formula, values);
+}
+
+template <Scalar S>
+std::optional<int> Narrator<S>::index(std::string_view expression, const Context& context) const {
+  int sum = 0;
+  int sign = 1;
+  for (std::size_t i = 0; i < expression.size();) {
+    if (expression[i] == '+' || expression[i] == '-') {
+      sign = expression[i] == '-' ? -1 : 1;
+      ++i;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < expression.size() && is_word(expression[end])) ++end;
+    if (end == i) return std::nullopt;
+    const std::string_view term = expression.substr(i, end - i);
+    std::optional<int> value;
+    if (std::isdigit(static_cast<unsigned char>(term[0])) != 0) {
+      if (term.size() > 6) return std::nullopt;
+      value = std::stoi(std::string(term));
+    } else if (context.spec != nullptr) {
+      for (std::size_t n = 0; n < context.spec->indices.size(); ++n)
+        if (context.spec->indices[n] == term) value = trace().value(context.value).name.index[n];
+    }
+    if (!value)
+      if (const auto v = resolve(term, context); v && trace().value(*v).kind == ValueKind::integer)
+        value = static_cast<int>(to_double(trace().numbers(*v)[0]));
+    if (!value) return std::nullopt;
+    sum += sign * *value;
+    sign = 1;
+    i = end;
+  }
+  return sum;
+}
+
+// A reference like P[r-1][i]: its indices worked out, then looked up from the innermost scope outwards.
+template <Scalar S>
+std::optional<ValueId> Narrator<S>::resolve(std::string_view reference, const Context& context) const {
+  std::string name;
+  for (std::size_t i = 0; i < reference.size();) {
+    if (reference[i] != '[') {
+      name += reference[i++];
+      continue;
+    }
+    const std::size_t end = reference.find(']', i);
+    if (end == std::string_view::npos) return std::nullopt;
+    const auto value = index(reference.substr(i + 1, end - i - 1), context);
+    if (!value) return std::nullopt;
+    name += "[" + std::to_string(*value) + "]";
+    i = end + 1;
+  }
+  for (std::string scope = context.scope;;) {
+    if (const auto v = trace().find(scope + name); v && trace().value(*v).step <= context.step) return v;
+    if (scope.empty()) return std::nullopt;
+    scope.pop_back();
+    const auto dot = scope.rfind('.');
+    scope.erase(dot == std::string::npos ? 0 : dot + 1);
+  }
+}
+
+template <Scalar S>
+std::optional<std::string> Narrator<S>::placeholder(std::string_view inside, const Context& context) const {
+  const ValueId v = context.value;
+  if (inside == "phase" && context.phase != absent) return phase_title(context.phase);
+  if (inside == "index" && context.phase != absent) return std::to_string(trace().phases()[context.phase].index);
+  if (v != absent) {
+    if (inside == "value") return value_text(v);
+    if (inside == "name") return trace().name(v).substr(trace().scope(v).size());
+    if (inside == "formula") return formula(v);
+    if (inside == "numbers") return numbers(v);
+    if (inside == "polar" && !labels_[v].empty()) return polar(v);
+    if (context.spec != nullptr)
+      for (std::size_t n = 0; n < context.spec->indices.size(); ++n)
+        if (context.spec->indices[n] == inside) return std::to_string(trace().value(v).name.index[n]);
+  }
+  const bool name_only = !inside.empty() && inside[0] == '#';
+  if (const auto found = resolve(name_only ? inside.substr(1) : inside, context)) {
+    if (!name_only) return value_text(*found);
+    std::string name = trace().name(*found);
+    if (name.starts_with(context.scope)) name.erase(0, context.scope.size());
+    return name;
+  }
+  // "{k-p+1}" is a whole number of its own.
+  if (const auto sum = index(inside, context); sum && !inside.empty()) return std::to_string(*sum);
+  return std::nullopt;
+}
+
+template <Scalar S>
+std::string Narrator<S>::fill_in(std::string_view text, const Context& context, std::vector<std::string>* errors) const {
+  std::string filled;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t end = text[i] == '{' ? text.find('}', i) : std::string_view::npos;
+    if (end == std::string_view::npos) {
+      filled += text[i];
+      continue;
+    }
+    const std::string_view inside = text.substr(i + 1, end - i - 1);
+    if (const auto replaced = placeholder(inside, context)) {
+      filled += *replaced;
+    } else {
+      filled += text.substr(i, end - i + 1);
+      if (errors != nullptr) errors->emplace_back(inside);
+    }
+    i = end;
+  }
+  return filled;
+}
+
+template <Scalar S>
+std::string Narrator<S>::fill(std::string_view text, std::uint32_t step, std::vector<std::string>* errors) const {
+  Context context{step, trace().main_value(step), "", nullptr, trace().step(step).phase};
+  if (context.value != absent) {
+    context.spec = spec_of(algorithm_at(step), *run_->algorithm, trace().value(context.value).name);
+    // Other values of the step are looked up where the phase is, not where an outer name belongs.
+    for (const std::uint32_t phase : trace().phase_path(context.phase))
+      if (trace().phases()[phase].scoped) context.scope += trace().phases()[phase].label() + ".";
+  }
+  return fill_in(text, context, errors);
+}
+
+template <Scalar S>
+std::string Narrator<S>::tableau(std::uint32_t step) const {
+  const Algorithm& algorithm = *run_->algorithm;
+  // Rows are the last index, columns the first, as in the triangular scheme on a blackboard.
+  std::map<int, std::map<int, std::string>> rows;
+  std::map<int, std::size_t> widths;
+  for (ValueId v = 0; v < trace().value_count() && trace().value(v).step <= step; ++v) {
+    const Name& name = trace().value(v).name;
+    const ValueSpec* spec = algorithm.spec(name);
+    if (spec == nullptr || !spec->tableau || !trace().scope(v).empty()) continue;
+    const int column = name.arity == 2 ? name.index[0] : 0;
+    const std::string cell = trace().name(v) + " = " + value_text(v);
+    rows[name.index[name.arity - 1]][column] = cell;
+    widths[column] = std::max(widths[column], cell.size());
+  }
+  std::string text;
+  for (const auto& [i, cells] : rows) {
+    std::string line;
+    std::size_t at = 0;
+    for (const auto& [column, width] : widths) {
+      if (const auto cell = cells.find(column); cell != cells.end()) {
+        line.resize(at, ' ');
+        line += cell->second;
+      }
+      at += width + 3;
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+template class Narrator<double>;
+template class Narrator<Exact>;
+
+}  // namespace blossom

@@ -1,0 +1,61 @@
+#pragma once
+// A run in words: narration of each step, formula of each value, the triangular scheme as a table.
+//
+// A template is text with placeholders in braces:
+//   {P[r-1][i]}   the value of that name, as the run shows numbers; indices are sums and differences of whole numbers,
+//                 of the indices' names at this step, and of whole-number values such as k, s, p
+//   {#P[r-1][i]}  its name: P[0][3]
+//   {value} {name} {formula} {numbers}   of the step's main value: its value, its name, its formula with names, and the
+//                 formula with numbers filled in
+//   {polar}       the polar label of the main value
+//   {r}           an index of the main value, by its name in the algorithm's table; {index}: the phase's index
+// A placeholder that names nothing is a mistake: check_template finds it.
+
+#include "algorithms/run.hpp"
+
+namespace blossom {
+
+// How values are shown as text: fractions or shortest decimals; points as (x, y), with their weight where rational.
+template <Scalar S>
+class Narrator {
+ public:
+  explicit Narrator(const Run<S>& run);
+  Narrator(const Narrator&) = delete;
+
+  const Run<S>& run() const { return *run_; }
+  const Trace<S>& trace() const { return run_->trace; }
+
+  // The algorithm whose text explains this step: the run's own, or that of the phase around it.
+  const Algorithm& algorithm_at(std::uint32_t step) const;
+  std::string kind(std::uint32_t step) const;       // "given", "phase", or the rule's name
+  int line(std::uint32_t step) const;               // of algorithm_at(step)'s pseudo-code; 0: none
+  std::string text(std::uint32_t step) const;       // the narration
+  std::string value_text(ValueId) const;            // "(1/2, 3)", "(1, 2), w = 2", "2/5", "(0, 0, 1, 1)"
+  std::string formula(ValueId) const;               // with names:   (1 - u) P[0][0] + u P[0][1]
+  std::string numbers(ValueId) const;               // with numbers: (1 - 2/5) (0, 0) + 2/5 (1, 2)
+  std::string polar(ValueId) const;                 // "b(0, 2/5, 1)" or ""
+  std::string phase_title(std::uint32_t phase) const;
+
+  // Fills a template in at a step. Mistakes (a placeholder that names nothing there) go to `errors`, if given, and stand
+  // in the text as they were written.
+  std::string fill(std::string_view text, std::uint32_t step, std::vector<std::string>* errors = nullptr) const;
+
+  // The triangular scheme of the values up to a step as lines of text, one column for each first index. Empty if the
+  // algorithm has none.
+  std::string tableau(std::uint32_t step) const;
+
+ private:
+  struct Context;
+  std::optional<std::string> placeholder(std::string_view inside, const Context&) const;
+  std::string fill_in(std::string_view text, const Context&, std::vector<std::string>* errors) const;
+  std::optional<ValueId> resolve(std::string_view reference, const Context&) const;
+  std::optional<int> index(std::string_view expression, const Context&) const;
+
+  const Run<S>* run_;
+  std::vector<PolarLabel<S>> labels_;
+};
+
+extern template class Narrator<double>;
+extern template class Narrator<Exact>;
+
+}  // namespace blossom

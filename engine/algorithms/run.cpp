@@ -1,0 +1,175 @@
+#include "algorithms/run.hpp"
+
+#include "geometry/document.hpp"
+#include "kernel/error.hpp"
+
+namespace blossom {
+namespace {
+
+inline constexpr std::size_t max_profiles = 256;
+
+std::optional<InputValue<Exact>> read_input(const InputSpec& spec, const Cursor& at) {
+  switch (spec.type) {
+    case InputSpec::Type::number:
+      if (auto x = at.number()) return InputValue<Exact>(std::move(*x));
+      return std::nullopt;
+    case InputSpec::Type::integer:
+      if (const auto i = at.integer(spec.at_least, spec.at_most)) return InputValue<Exact>(*i);
+      return std::nullopt;
+    case InputSpec::Type::choice: {
+      auto text = at.string();
+      if (!text) return std::nullopt;
+      std::vector<std::string> choices(spec.choices.begin(), spec.choices.end());
+      if (std::find(choices.begin(), choices.end(), *text) != choices.end()) return InputValue<Exact>(std::move(*text));
+      std::string message = "must be one of";
+      for (std::size_t i = 0; i < choices.size(); ++i) message += (i > 0 ? ", " : " ") + json_quote(choices[i]);
+      if (const auto near = did_you_mean(*text, choices)) message += "; did you mean " + json_quote(*near) + "?";
+      at.error(message);
+      return std::nullopt;
+    }
+    case InputSpec::Type::curve:
+      if (auto c = read_curve(at)) return InputValue<Exact>(std::move(*c));
+      return std::nullopt;
+    case InputSpec::Type::surface:
+      if (auto s = read_surface(at)) return InputValue<Exact>(std::move(*s));
+      return std::nullopt;
+    case InputSpec::Type::curves: {
+      if (!at.expect_array(static_cast<std::size_t>(spec.at_least), max_profiles)) return std::nullopt;
+      std::vector<Curve<Exact>> curves;
+      bool all = true;
+      for (std::size_t i = 0; i < at.size(); ++i) {
+        if (auto c = read_curve(at[i]))
+          curves.push_back(std::move(*c));
+        else
+          all = false;
+      }
+      if (!all) return std::nullopt;
+      return InputValue<Exact>(std::move(curves));
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Inputs<Exact>> read_inputs(const Algorithm& algorithm, const Cursor& at) {
+  std::vector<std::string> known;
+  for (const auto& spec : algorithm.inputs) known.emplace_back(spec.name);
+  if (!at.expect_object(known)) return std::nullopt;
+  Inputs<Exact> inputs;
+  bool all = true;
+  for (const auto& spec : algorithm.inputs) {
+    std::optional<InputValue<Exact>> value;
+    if (const auto member = at.optional(spec.name)) {
+      value = read_input(spec, *member);
+    } else if (spec.fallback.empty()) {
+      at.required(spec.name);
+    } else {
+      const auto document = JsonDocument::parse("default", std::string(spec.fallback));
+      Diagnostics none_expected;
+      value = read_input(spec, Cursor(*document, none_expected));
+    }
+    if (value)
+      inputs.values.emplace(std::string(spec.name), std::move(*value));
+    else
+      all = false;
+  }
+  if (!all) return std::nullopt;
+  if (algorithm.check != nullptr) {
+    bool wrong = false;
+    algorithm.check(inputs, [&](std::string_view name) {
+      wrong = true;
+      const auto member = at.optional(name);
+      return member ? *member : at;
+    });
+    if (wrong) return std::nullopt;
+  }
+  return inputs;
+}
+
+namespace {
+
+Diagnostics as_diagnostics(const KernelError& error) { return {Diagnostic{"", 0, 0, "inputs." + error.input, error.message}}; }
+
+// Dimension and kind of what is traced: of its curves and surfaces.
+template <Scalar S>
+void describe(const Inputs<S>& inputs, int& dimension, bool& rational) {
+  const auto curve = [&](const Curve<S>& c) {
+    dimension = std::max(dimension, c.dimension);
+    rational = rational || c.rational;
+  };
+  dimension = 2;
+  rational = false;
+  for (const auto& [name, value] : inputs.values) {
+    if (const auto* c = std::get_if<Curve<S>>(&value)) curve(*c);
+    if (const auto* cs = std::get_if<std::vector<Curve<S>>>(&value))
+      for (const auto& c : *cs) curve(c);
+    if (const auto* s = std::get_if<Surface<S>>(&value)) {
+      dimension = 3;
+      rational = rational || s->rational;
+    }
+  }
+}
+
+}  // namespace
+
+template <Scalar S>
+Checked<Run<S>> record(const Algorithm& algorithm, const Inputs<Exact>& inputs) {
+  Run<S> run;
+  run.algorithm = &algorithm;
+  run.inputs = convert<S>(inputs);
+  TraceRecorder<S> recorder;
+  try {
+    run.outcome = algorithm.runner<S>().recorded(run.inputs, recorder);
+  } catch (const KernelError& error) {
+    return as_diagnostics(error);
+  }
+  run.trace = std::move(recorder).take();
+  describe(run.inputs, run.trace.dimension, run.trace.rational);
+  return run;
+}
+
+template <Scalar S>
+Checked<Outcome<S>> run_plain(const Algorithm& algorithm, const Inputs<Exact>& inputs) {
+  try {
+    return algorithm.runner<S>().plain(convert<S>(inputs));
+  } catch (const KernelError& error) {
+    return as_diagnostics(error);
+  }
+}
+
+template <Scalar S>
+std::string write_input(const InputValue<S>& value) {
+  return std::visit(
+      [](const auto& x) -> std::string {
+        using T = std::decay_t<decltype(x)>;
+        if constexpr (std::is_same_v<T, S>) {
+          if constexpr (std::is_same_v<S, Exact>)
+            return x.is_integer() ? x.to_string() : json_quote(x.to_string());
+          else
+            return format_number(x);
+        } else if constexpr (std::is_same_v<T, int>) {
+          return std::to_string(x);
+        } else if constexpr (std::is_same_v<T, std::string>) {
+          return json_quote(x);
+        } else if constexpr (std::is_same_v<T, Curve<S>>) {
+          return write_curve(x);
+        } else if constexpr (std::is_same_v<T, Surface<S>>) {
+          return write_surface(x);
+        } else {
+          std::string text = "[";
+          for (std::size_t i = 0; i < x.size(); ++i) text += (i > 0 ? ", " : "") + write_curve(x[i]);
+          return text + "]";
+        }
+      },
+      value);
+}
+
+template Checked<Run<double>> record(const Algorithm&, const Inputs<Exact>&);
+template Checked<Run<Exact>> record(const Algorithm&, const Inputs<Exact>&);
+template Checked<Outcome<double>> run_plain(const Algorithm&, const Inputs<Exact>&);
+template Checked<Outcome<Exact>> run_plain(const Algorithm&, const Inputs<Exact>&);
+template std::string write_input(const InputValue<double>&);
+template std::string write_input(const InputValue<Exact>&);
+
+}  // namespace blossom

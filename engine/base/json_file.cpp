@@ -1,0 +1,151 @@
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <limits>
+#include <system_error>
+
+#include "base/json.hpp"
+#include "base/utf8.hpp"
+
+namespace blossom {
+namespace {
+
+// An open file, closed at the end of its scope.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd_ > STDIN_FILENO) ::close(fd_);
+  }
+  operator int() const { return fd_; }
+  bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
+
+ private:
+  int fd_;
+};
+
+std::string system_says(int error) { return std::generic_category().message(error); }
+
+Diagnostics problem(const std::string& file, std::string message) { return {{file, 0, 0, "", std::move(message)}}; }
+
+std::string kind_of(const struct stat& status) {
+  if (S_ISDIR(status.st_mode)) return "a folder";
+  if (S_ISFIFO(status.st_mode)) return "a pipe";
+  if (S_ISSOCK(status.st_mode)) return "a socket";
+  return "a device";
+}
+
+// Up to `most` + 1 bytes: one more than allowed, so that the reader can see that it is too much. False: see errno.
+bool read_all(int fd, std::size_t most, std::string& text) {
+  constexpr std::size_t chunk = 64u << 10;
+  while (text.size() <= most) {
+    const std::size_t before = text.size();
+    const std::size_t wanted = std::min(chunk, most + 1 - before);
+    text.resize(before + wanted);
+    const ssize_t got = ::read(fd, text.data() + before, wanted);
+    text.resize(before + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    if (got == 0) return true;
+    if (got < 0 && errno != EINTR) return false;
+  }
+  return true;
+}
+
+bool write_all(int fd, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t put = ::write(fd, content.data(), content.size());
+    if (put < 0 && errno != EINTR) return false;
+    content.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(put, 0)));
+  }
+  return true;
+}
+
+}  // namespace
+
+Checked<JsonDocument> JsonDocument::load(const std::filesystem::path& path, const JsonLimits& limits) {
+  const std::size_t most = std::min<std::size_t>(limits.bytes, std::numeric_limits<std::uint32_t>::max());
+  const bool standard_input = path == "-";
+  const std::string name = standard_input ? "standard input" : path.string();
+  // Without O_NONBLOCK opening a pipe would wait for a writer, perhaps for ever.
+  const Descriptor fd(standard_input ? STDIN_FILENO
+                                     : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+  if (fd < 0) return problem(name, "cannot be read: " + system_says(errno));
+
+  struct stat status {};
+  if (!standard_input) {
+    if (::fstat(fd, &status) != 0) return problem(name, "cannot be read: " + system_says(errno));
+    if (!S_ISREG(status.st_mode)) return problem(name, "must be a file, not " + kind_of(status));
+  }
+  std::string text;
+  if (!read_all(fd, most, text)) return problem(name, "cannot be read: " + system_says(errno));
+  return parse(name, std::move(text), limits);
+}
+
+Checked<bool> write_file(const std::filesystem::path& path, std::string_view content) {
+  // Through a symbolic link the file it points to is replaced, not the link.
+  std::error_code unresolved;
+  const std::filesystem::path resolved = std::filesystem::canonical(path, unresolved);
+  const std::filesystem::path target = unresolved ? path : resolved;
+  const auto failed = [&](int error) { return problem(path.string(), "cannot be written: " + system_says(error)); };
+
+  struct stat status {};
+  const bool exists = ::stat(target.c_str(), &status) == 0;
+  if (exists && !S_ISREG(status.st_mode)) return problem(path.string(), "must be a file, not " + kind_of(status));
+
+  static std::atomic<unsigned> count{0};
+  const std::string name = ".blossom-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp";
+  const std::filesystem::path temporary = target.parent_path() / name;
+  Descriptor fd(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (fd < 0) return failed(errno);
+  // A file that is replaced keeps its permissions; a new one has what the umask leaves.
+  const bool written = write_all(fd, content) && (!exists || ::fchmod(fd, status.st_mode & 07777) == 0) && fd.close() &&
+                       ::rename(temporary.c_str(), target.c_str()) == 0;
+  if (written) return true;
+  const int error = errno;
+  ::unlink(temporary.c_str());
+  return failed(error);
+}
+
+std::string json_quote(std::string_view text) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string out = "\"";
+  out.reserve(text.size() + 2);
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
+    const char c = text[i];
+    switch (c) {
+      case '"':
+        out += "\\\"";
+        break;
+      case '\\':
+        out += "\\\\";
+        break;
+      case '\n':
+        out += "\\n";
+        break;
+      case '\r':
+        out += "\\r";
+        break;
+      case '\t':
+        out += "\\t";
+        break;
+      default:
+        if (length == 0) {
+          out += "\xEF\xBF\xBD";  // U+FFFD
+        } else if (static_cast<unsigned char>(c) < 0x20) {
+          out += {'\\', 'u', '0', '0', digits[c >> 4], digits[c & 15]};
+        } else {
+          out += text.substr(i, length);
+        }
+    }
+    i += std::max<std::size_t>(length, 1);
+  }
+  return out += '"';
+}
+
+}  // namespace blossom

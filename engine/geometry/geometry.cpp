@@ -1,0 +1,52 @@
+#include "geometry/geometry.hpp"
+
+namespace blossom {
+namespace {
+
+template <Scalar S>
+std::vector<S> convert_all(const std::vector<Exact>& numbers) {
+  std::vector<S> result;
+  result.reserve(numbers.size());
+  for (const Exact& x : numbers) result.push_back(from_exact<S>(x));
+  return result;
+}
+
+template <Scalar S>
+std::vector<HPoint<S>> convert_all(const std::vector<HPoint<Exact>>& points) {
+  std::vector<HPoint<S>> result;
+  result.reserve(points.size());
+  for (const HPoint<Exact>& P : points) {
+    result.emplace_back(from_exact<S>(P.x), from_exact<S>(P.y), from_exact<S>(P.z), from_exact<S>(P.w));
+  }
+  return result;
+}
+
+}  // namespace
+
+template <Scalar S>
+Curve<S> convert(const Curve<Exact>& curve) {
+  return {.degree = curve.degree,
+          .knots = convert_all<S>(curve.knots),
+          .points = convert_all<S>(curve.points),
+          .dimension = curve.dimension,
+          .rational = curve.rational,
+          .bezier = curve.bezier};
+}
+
+template <Scalar S>
+Surface<S> convert(const Surface<Exact>& surface) {
+  return {.degree = surface.degree,
+          .knots = {convert_all<S>(surface.knots[0]), convert_all<S>(surface.knots[1])},
+          .rows = surface.rows,
+          .columns = surface.columns,
+          .points = convert_all<S>(surface.points),
+          .rational = surface.rational,
+          .bezier = surface.bezier};
+}
+
+template Curve<double> convert(const Curve<Exact>&);
+template Curve<Exact> convert(const Curve<Exact>&);
+template Surface<double> convert(const Surface<Exact>&);
+template Surface<Exact> convert(const Surface<Exact>&);
+
+}  // namespace blossom

@@ -1,0 +1,144 @@
+#pragma once
+// Points on curves and surfaces, of all four kinds, in either scalar.
+//
+//   C^w(u)   = sum_i N_{i,p}(u) P_i                         The NURBS Book, algorithms A3.1 and A4.1
+//   S^w(u,v) = sum_i sum_j N_{i,p}(u) N_{j,q}(v) P_{i,j}    A3.5 and A4.3
+//
+// The functions are for a point here and there: they compute everything afresh, allocate nothing, and find the span in
+// O(log n). For many points of one curve or surface, the evaluators (evaluator.hpp) keep what depends on the knots
+// only. A parameter must lie in the domain [u_p, u_{n+1}]; at a knot where the curve jumps (multiplicity p + 1) the
+// value is the limit from the right, at the domain's end that from the left.
+
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "geometry/geometry.hpp"
+#include "kernel/basis.hpp"
+#include "kernel/span.hpp"
+
+namespace blossom {
+
+// (wx, wy, wz, w) -> (x, y, z). Nothing where there is no point: w = 0, and in double also a w so small that a quotient
+// overflows. So what comes out is never a NaN or an infinity.
+template <Scalar S>
+std::optional<Point<S>> affine_point(const HPoint<S>& P) {
+  if (P.w == S(0)) return std::nullopt;
+  const Point<S> Q(P.x / P.w, P.y / P.w, P.z / P.w);
+  if constexpr (std::is_same_v<S, double>) {
+    if (!(std::isfinite(Q.x) && std::isfinite(Q.y) && std::isfinite(Q.z))) return std::nullopt;
+  }
+  return Q;
+}
+
+namespace detail {
+
+// A sum of homogeneous points times factors.
+template <Scalar S>
+class Blend {
+ public:
+  Blend(const HPoint<S>& P, const S& factor) : sum_(P * factor) {}
+  Blend(const Blend& other, const S& factor) : sum_(other.sum_ * factor) {}
+  void add(const HPoint<S>& P, const S& factor) { sum_ += P * factor; }
+  void add(const Blend& other, const S& factor) { sum_ += other.sum_ * factor; }
+  HPoint<S> point() const { return sum_; }
+
+ private:
+  HPoint<S> sum_;
+};
+
+// In double it is two vectors of two, x y and z w: the compiler, left alone with four numbers, vectorizes across points
+// and loses the gain in shuffles. The operations are the same ones, so the bits are too.
+template <>
+class Blend<double> {
+ public:
+  Blend(const HPoint<double>& P, double factor) : xy_(load(&P.x) * factor), zw_(load(&P.z) * factor) {}
+  Blend(const Blend& other, double factor) : xy_(other.xy_ * factor), zw_(other.zw_ * factor) {}
+  void add(const HPoint<double>& P, double factor) {
+    xy_ += load(&P.x) * factor;
+    zw_ += load(&P.z) * factor;
+  }
+  void add(const Blend& other, double factor) {
+    xy_ += other.xy_ * factor;
+    zw_ += other.zw_ * factor;
+  }
+  HPoint<double> point() const { return {xy_[0], xy_[1], zw_[0], zw_[1]}; }
+
+ private:
+  using Pair [[gnu::vector_size(16)]] = double;
+  static Pair load(const double* two) {
+    Pair pair;
+    std::memcpy(&pair, two, sizeof pair);
+    return pair;
+  }
+  static_assert(sizeof(HPoint<double>) == 2 * sizeof(Pair));
+
+  Pair xy_;
+  Pair zw_;
+};
+
+// sum_r N[r] P[r], r = 0..p.
+template <int P, Scalar S>
+inline Blend<S> combine(const S* N, const HPoint<S>* points, int degree) {
+  const int p = P > 0 ? P : degree;
+  Blend<S> sum(points[0], N[0]);
+  for (int r = 1; r <= p; ++r) sum.add(points[r], N[r]);
+  return sum;
+}
+
+// sum_r sum_s M[r] N[s] P[r][s], r = 0..p, s = 0..q; `stride` points from one row to the next.
+template <int P, int Q, Scalar S>
+inline Blend<S> combine(const S* M, const S* N, const HPoint<S>* points, std::ptrdiff_t stride, int p_degree,
+                        int q_degree) {
+  const int p = P > 0 ? P : p_degree;
+  Blend<S> sum(combine<Q>(N, points, q_degree), M[0]);
+  for (int r = 1; r <= p; ++r) sum.add(combine<Q>(N, points + r * stride, q_degree), M[r]);
+  return sum;
+}
+
+}  // namespace detail
+
+// The homogeneous point C^w(u).
+template <Scalar S>
+HPoint<S> homogeneous_point(const Curve<S>& curve, const std::type_identity_t<S>& u) {
+  const int p = curve.degree;
+  const int k = find_span<S>(curve.knots, p, u);
+  return detail::with_degree<S>(p, [&](auto P) {
+    detail::BasisRow<S> N;
+    detail::basis_on_span<P()>(curve.knots.data() + k, p, u, N.data());
+    return detail::combine<P()>(N.data(), curve.points.data() + (k - p), p).point();
+  });
+}
+
+// The point C(u); nothing where the denominator is zero.
+template <Scalar S>
+std::optional<Point<S>> point(const Curve<S>& curve, const std::type_identity_t<S>& u) {
+  const HPoint<S> C = homogeneous_point(curve, u);
+  return affine_point(C);
+}
+
+// The homogeneous point S^w(u, v).
+template <Scalar S>
+HPoint<S> homogeneous_point(const Surface<S>& surface, const std::type_identity_t<S>& u,
+                            const std::type_identity_t<S>& v) {
+  const auto [p, q] = surface.degree;
+  const int k = find_span<S>(surface.knots[0], p, u);
+  const int l = find_span<S>(surface.knots[1], q, v);
+  detail::BasisRow<S> M;
+  detail::BasisRow<S> N;
+  basis_functions<S>(surface.knots[0], p, k, u, M);
+  basis_functions<S>(surface.knots[1], q, l, v, N);
+  return detail::with_degree<S>(q, [&, p = p, q = q](auto Q) {
+    return detail::combine<0, Q()>(M.data(), N.data(), &surface.at(k - p, l - q), surface.columns, p, q).point();
+  });
+}
+
+// The point S(u, v); nothing where the denominator is zero.
+template <Scalar S>
+std::optional<Point<S>> point(const Surface<S>& surface, const std::type_identity_t<S>& u,
+                              const std::type_identity_t<S>& v) {
+  return affine_point(homogeneous_point(surface, u, v));
+}
+
+}  // namespace blossom

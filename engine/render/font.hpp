@@ -1,0 +1,66 @@
+#pragma once
+// DejaVu Sans through FreeType: metrics without hinting, so that a layout is the same at every scale and on every
+// canvas, and anti-aliased glyph bitmaps. Italics are the upright faces slanted by 11 degrees, which is how DejaVu's
+// own oblique is drawn; so the package fonts-dejavu-core suffices.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostics.hpp"
+#include "render/canvas.hpp"
+
+namespace blossom {
+
+// Code points; what is no valid UTF-8 becomes U+FFFD, byte by byte.
+std::u32string decode_utf8(std::string_view);
+std::string encode_utf8(char32_t);
+
+struct GlyphBitmap {
+  int width = 0, height = 0;
+  int left = 0;  // pixels from the pen (rounded down) to the first column
+  int top = 0;   // pixels from the baseline up to the upper edge of the first row
+  std::vector<std::uint8_t> coverage;  // height rows of width
+};
+
+class Fonts {
+ public:
+  // From the folder BLOSSOM_FONT_DIR of the environment, else from where they were found when Blossom was built.
+  static Checked<std::shared_ptr<const Fonts>> load();
+  ~Fonts();
+  Fonts(const Fonts&) = delete;
+  Fonts& operator=(const Fonts&) = delete;
+
+  // In ems.
+  double advance(FontStyle, char32_t) const;
+  double kerning(FontStyle, char32_t left, char32_t right) const;
+  double width(FontStyle, std::string_view utf8) const;
+  static constexpr double ascent = 0.76, descent = 0.24;  // of letters: capitals and p, without accents
+
+  // The pen stands at `quarter`/4 pixels right of a pixel's left edge. With halo > 0: the letter grown by that many
+  // pixels. An empty bitmap for a blank. Precondition: 1 <= pixels <= max_pixels.
+  GlyphBitmap bitmap(FontStyle, char32_t, double pixels, int quarter, double halo) const;
+  static constexpr double max_pixels = 512;
+
+ private:
+  struct Impl;
+  explicit Fonts(std::unique_ptr<Impl>);
+  std::unique_ptr<Impl> impl_;
+};
+
+// Calls visit(code point, pen x in pixels) for every glyph of the run.
+template <class Visit>
+void for_each_glyph(const Fonts& fonts, const GlyphRun& run, Visit&& visit) {
+  double pen = run.x;
+  char32_t previous = 0;
+  for (const char32_t c : decode_utf8(run.text)) {
+    if (previous != 0) pen += fonts.kerning(run.style, previous, c) * run.size;
+    visit(c, pen);
+    pen += fonts.advance(run.style, c) * run.size;
+    previous = c;
+  }
+}
+
+}  // namespace blossom

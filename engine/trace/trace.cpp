@@ -1,0 +1,200 @@
+#include "trace/trace.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace blossom {
+
+std::string_view kind_name(ValueKind kind) {
+  switch (kind) {
+    case ValueKind::integer: return "integer";
+    case ValueKind::scalar: return "scalar";
+    case ValueKind::point: return "point";
+    case ValueKind::vector: return "vector";
+    case ValueKind::list: return "list";
+  }
+  return "";
+}
+
+std::span<const ValueId> TraceGraph::operands(ValueId v) const {
+  const std::size_t first = values_[v].operands_at;
+  const std::size_t end = v + 1 < values_.size() ? values_[v + 1].operands_at : operands_.size();
+  return std::span<const ValueId>(operands_).subspan(first, end - first);
+}
+
+std::pair<ValueId, ValueId> TraceGraph::values_of(std::uint32_t step) const {
+  return {steps_[step].first_value, step + 1 < step_count() ? steps_[step + 1].first_value : value_count()};
+}
+
+ValueId TraceGraph::main_value(std::uint32_t step) const {
+  const auto [first, end] = values_of(step);
+  return first == end ? absent : end - 1;
+}
+
+const std::vector<std::pair<ValueId, std::uint32_t>>& TraceGraph::retired_by_value() const {
+  if (retired_by_value_.size() != retired_by_step_.size()) {
+    retired_by_value_ = retired_by_step_;
+    std::sort(retired_by_value_.begin(), retired_by_value_.end());
+  }
+  return retired_by_value_;
+}
+
+std::uint32_t TraceGraph::retired_at(ValueId v) const {
+  const auto& retired = retired_by_value();
+  const auto it = std::lower_bound(retired.begin(), retired.end(), std::pair<ValueId, std::uint32_t>{v, 0});
+  return it != retired.end() && it->first == v ? it->second : absent;
+}
+
+std::uint32_t TraceGraph::introduced_by(std::uint32_t step) const {
+  const std::uint32_t phase = steps_[step].phase;
+  return phase != absent && phases_[phase].first_step == step ? phase : absent;
+}
+
+std::vector<std::uint32_t> TraceGraph::phase_path(std::uint32_t phase) const {
+  std::vector<std::uint32_t> path;
+  for (; phase != absent; phase = phases_[phase].parent) path.push_back(phase);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+std::string TraceGraph::scope(ValueId v) const {
+  auto path = phase_path(phase_of(v));
+  std::erase_if(path, [&](std::uint32_t phase) { return !phases_[phase].scoped; });
+  if (values_[v].name.outer != 0 && !path.empty()) path.pop_back();
+  std::string text;
+  for (const std::uint32_t phase : path) text += phases_[phase].label() + ".";
+  return text;
+}
+
+std::string TraceGraph::name(ValueId v) const {
+  const Name& name = values_[v].name;
+  std::string text = scope(v) + name.symbol.text();
+  for (int i = 0; i < name.arity; ++i) text += "[" + std::to_string(name.index[i]) + "]";
+  return text;
+}
+
+std::optional<ValueId> TraceGraph::find(std::string_view name) const {
+  if (index_.empty())
+    for (ValueId v = 0; v < value_count(); ++v) {
+      [[maybe_unused]] const bool unique = index_.emplace(this->name(v), v).second;
+      assert(unique && "two values of one name");
+    }
+  const auto it = index_.find(std::string(name));
+  return it == index_.end() ? std::nullopt : std::optional(it->second);
+}
+
+std::size_t TraceGraph::memory_bytes() const {
+  return values_.size() * sizeof(ValueRecord) + operands_.size() * sizeof(ValueId) + steps_.size() * sizeof(StepRecord) +
+         retired_by_step_.size() * sizeof(retired_by_step_[0]);
+}
+
+template <Scalar S>
+std::vector<Numbers<S>> Trace<S>::replay(const std::unordered_map<ValueId, Numbers<S>>& given) const {
+  std::vector<Numbers<S>> made(value_count());
+  std::vector<NumbersView<S>> views;
+  for (ValueId v = 0; v < value_count(); ++v) {
+    const auto own = numbers(v);
+    if (const auto it = given.find(v); it != given.end()) {
+      made[v] = it->second;
+    } else if (is_input(v)) {
+      made[v].assign(own.begin(), own.end());
+    } else {
+      views.clear();
+      for (const ValueId o : operands(v)) views.emplace_back(made[o]);
+      if (!values_[v].rule->template replay<S>()(views, made[v])) made[v].clear();
+    }
+  }
+  return made;
+}
+
+template <Scalar S>
+std::vector<ValueId> Trace<S>::approximate_values() const {
+  std::vector<ValueId> found;
+  for (ValueId v = 0; v < value_count(); ++v)
+    if (std::ranges::any_of(numbers(v), [](const S& x) { return is_approximate(x); })) found.push_back(v);
+  return found;
+}
+
+template <Scalar S>
+std::vector<PolarLabel<S>> Trace<S>::polar_labels() const {
+  std::vector<PolarLabel<S>> labels(value_count());
+  for (const PolarSeed& seed : polar_seeds_) {
+    auto& label = labels[seed.value];
+    const auto count = static_cast<std::size_t>(seed.count);
+    switch (seed.kind) {
+      case PolarSeed::Kind::knots:
+        for (std::size_t i = 0; i < count; ++i) label.u.push_back(numbers(seed.first + static_cast<ValueId>(i))[0]);
+        break;
+      case PolarSeed::Kind::bezier:
+        label.u.assign(count - seed.first, S(0));
+        label.u.insert(label.u.end(), seed.first, S(1));
+        break;
+      case PolarSeed::Kind::net: {
+        const auto u = polar_numbers_.begin() + seed.first;
+        label.u.assign(u, u + seed.count);
+        label.v.assign(u + seed.count, u + seed.count + seed.count_v);
+        break;
+      }
+    }
+  }
+  for (ValueId v = 0; v < value_count(); ++v) {
+    if (is_input(v) || values_[v].rule->polar == Polar::none || !labels[v].empty()) continue;
+    const auto from = operands(v);
+    auto& label = labels[v].u;
+    if (values_[v].rule->polar == Polar::same) {
+      labels[v] = labels[from[0]];
+      continue;
+    }
+    if (values_[v].rule->polar == Polar::repeat) {
+      label = labels[from[0]].u;
+      if (!label.empty()) label.push_back(label.back());
+      continue;
+    }
+    const auto& A = labels[from[1]].u;
+    const auto& B = labels[from[2]].u;
+    if (A.empty() || B.empty()) continue;
+    if (values_[v].rule->polar == Polar::merge) {
+      std::set_union(A.begin(), A.end(), B.begin(), B.end(), std::back_inserter(label));
+    } else {
+      // The new argument is the parameter itself: what the ratio was made from, or, on [0, 1], the ratio.
+      const ValueId ratio = from[0];
+      const bool made = !is_input(ratio) && values_[ratio].rule == &rule_info<Ratio>;
+      const S& u = numbers(made ? operands(ratio)[0] : ratio)[0];
+      std::set_intersection(A.begin(), A.end(), B.begin(), B.end(), std::back_inserter(label));
+      label.insert(std::upper_bound(label.begin(), label.end(), u), u);
+    }
+  }
+  return labels;
+}
+
+template <Scalar S>
+std::string to_string(const PolarLabel<S>& label) {
+  std::string text = "b(";
+  for (std::size_t i = 0; i < label.u.size(); ++i) text += (i > 0 ? ", " : "") + format_number(label.u[i]);
+  for (std::size_t i = 0; i < label.v.size(); ++i) text += (i > 0 ? ", " : "; ") + format_number(label.v[i]);
+  return text + ")";
+}
+
+template <Scalar S>
+bool Trace<S>::operator==(const Trace& other) const {
+  if (dimension != other.dimension || rational != other.rational || value_count() != other.value_count() ||
+      step_count() != other.step_count() || phases_ != other.phases_)
+    return false;
+  for (std::uint32_t k = 0; k < step_count(); ++k)
+    if (steps_[k].first_value != other.steps_[k].first_value || steps_[k].phase != other.steps_[k].phase) return false;
+  for (ValueId v = 0; v < value_count(); ++v) {
+    const auto& a = values_[v];
+    const auto& b = other.values_[v];
+    if (a.name != b.name || a.rule != b.rule || a.step != b.step || a.kind != b.kind || retired_at(v) != other.retired_at(v) ||
+        !std::ranges::equal(operands(v), other.operands(v)) || !std::ranges::equal(numbers(v), other.numbers(v)))
+      return false;
+  }
+  return polar_labels() == other.polar_labels();
+}
+
+template class Trace<double>;
+template class Trace<Exact>;
+template std::string to_string(const PolarLabel<double>&);
+template std::string to_string(const PolarLabel<Exact>&);
+
+}  // namespace blossom
