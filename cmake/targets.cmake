@@ -39,3 +39,31 @@ function(blossom_library name)
     target_link_libraries(blossom_${name} ${scope} blossom_${dependency})
   endforeach()
 endfunction()
+
+# blossom_table(blossom_algorithms TYPE Algorithm FUNCTION algorithms HEADER algorithms/algorithm.hpp FILES a.cpp b.cpp):
+# writes the function that lists what is in FILES, in the order given, into the target. Each FILES entry NAME.cpp defines
+# `const TYPE& PREFIX_NAME()`, PREFIX being empty unless given. So a new algorithm, command or report format is one new
+# file, and no list anywhere is edited. (Static registrar objects would be dropped by the linker from a static library.)
+function(blossom_table target)
+  cmake_parse_arguments(ARG "" "TYPE;FUNCTION;HEADER;PREFIX" "FILES" ${ARGN})
+  set(declarations "")
+  set(entries "")
+  foreach(file IN LISTS ARG_FILES)
+    get_filename_component(name ${file} NAME_WE)
+    string(APPEND declarations "const ${ARG_TYPE}& ${ARG_PREFIX}${name}();\n")
+    string(APPEND entries "&${ARG_PREFIX}${name}(), ")
+  endforeach()
+  set(table ${CMAKE_CURRENT_BINARY_DIR}/${ARG_FUNCTION}_table.cpp)
+  file(CONFIGURE OUTPUT ${table} CONTENT [[
+#include "@ARG_HEADER@"
+
+namespace blossom {
+@declarations@
+const std::vector<const @ARG_TYPE@*>& @ARG_FUNCTION@() {
+  static const std::vector<const @ARG_TYPE@*> all{@entries@};
+  return all;
+}
+}  // namespace blossom
+]] @ONLY)
+  target_sources(${target} PRIVATE ${table})
+endfunction()

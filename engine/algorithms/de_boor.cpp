@@ -73,7 +73,7 @@ const Algorithm& de_boor() {
          "alpha[{r}][{i}] = (u - u_{i}) / (u_{i+p-r+1} - u_{i}) = {numbers} = {value}."},
         {"P", {"r", "i"}, "the point i of level r (level 0: the control points)", 6,
          "Level {r}: P[{r}][{i}] divides the segment from {#P[r-1][i-1]} to {#P[r-1][i]} at alpha = {alpha[r][i]}: "
-         "(1 - {alpha[r][i]}) {P[r-1][i-1]} + {alpha[r][i]} {P[r-1][i]} = {value}.",
+         "(1 - {alpha[r][i]}) {~P[r-1][i-1]} + {alpha[r][i]} {~P[r-1][i]} = {value}.",
          ValueSpec::Draw::level, true},
         {"C", {}, "the point on the curve", 7, "One point is left: the point of the curve at u = {u} is C = {value}.",
          ValueSpec::Draw::point},

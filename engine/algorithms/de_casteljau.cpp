@@ -8,7 +8,7 @@ namespace {
 void check(const Inputs<Exact>& inputs, const std::function<Cursor(std::string_view)>& at) {
   const auto& curve = inputs.curve("curve");
   if (curve.n() != curve.degree || curve.knots != bezier_knots<Exact>(curve.degree))
-    at("curve").error("must be a Bezier curve: leave out \"knots\", and give degree + 1 points; for a B-spline curve use de_boor");
+    at("curve").error("must be a Bézier curve: leave out \"knots\", and give degree + 1 points; for a B-spline curve use de_boor");
   const Exact& u = inputs.number("u");
   if (u < Exact(0) || Exact(1) < u) at("u").error("must lie in the domain [0, 1], not at " + u.to_string());
 }
@@ -33,10 +33,10 @@ const Algorithm& de_casteljau() {
     Algorithm a;
     a.id = "de_casteljau";
     a.title = "de Casteljau's algorithm";
-    a.summary = "A point on a Bezier curve by repeated linear interpolation of its control points.";
-    a.source = "Shene, CS3621 notes, \"Finding a Point on a Bezier Curve\"; The NURBS Book, A1.5";
+    a.summary = "A point on a Bézier curve by repeated linear interpolation of its control points.";
+    a.source = "Shene, CS3621 notes, \"Finding a Point on a Bézier Curve\"; The NURBS Book, A1.5";
     a.inputs = {
-        {"curve", InputSpec::Type::curve, "A Bezier or rational Bezier curve (no knots)."},
+        {"curve", InputSpec::Type::curve, "A Bézier or rational Bézier curve (no knots)."},
         {"u", InputSpec::Type::number, "The parameter, in [0, 1]."},
     };
     a.pseudo_code = {
@@ -45,12 +45,12 @@ const Algorithm& de_casteljau() {
         "    P[r][i] = (1-u) P[r-1][i] + u P[r-1][i+1]",
         "C = P[n][0]",
     };
-    a.given_narration = "The control points P[0][0] to P[0][n] of a Bezier curve, and the parameter u = {u}.";
+    a.given_narration = "The control points P[0][0] to P[0][n] of a Bézier curve, and the parameter u = {u}.";
     a.values = {
         {"u", {}, "the parameter"},
         {"P", {"r", "i"}, "the point i of level r (level 0: the control points)", 3,
          "Level {r}: divide the segment from {#P[r-1][i]} to {#P[r-1][i+1]} at u = {u}: "
-         "P[{r}][{i}] = (1 - {u}) {P[r-1][i]} + {u} {P[r-1][i+1]} = {value}.",
+         "P[{r}][{i}] = (1 - {u}) {~P[r-1][i]} + {u} {~P[r-1][i+1]} = {value}.",
          ValueSpec::Draw::level, true},
         {"C", {}, "the point on the curve", 4, "One point is left: the point of the curve at u = {u} is C = {value}.",
          ValueSpec::Draw::point},

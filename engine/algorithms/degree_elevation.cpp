@@ -60,13 +60,13 @@ const Algorithm& degree_elevation() {
     a.id = "degree_elevation";
     a.title = "Degree elevation";
     a.summary = "The same curve with a higher degree and more control points.";
-    a.source = "Shene, CS3621 notes, \"Degree Elevation of a Bezier Curve\"; The NURBS Book, 5.5";
+    a.source = "Shene, CS3621 notes, \"Degree Elevation of a Bézier Curve\"; The NURBS Book, 5.5";
     a.inputs = {
         {"curve", InputSpec::Type::curve, "A curve of any kind; clamped or not."},
         {"times", InputSpec::Type::integer, "By how much the degree is raised.", 1, max_degree - 1, {}, "1"},
     };
     a.pseudo_code = {
-        "decompose the curve into Bezier segments (insert knots)",
+        "decompose the curve into Bézier segments (insert knots)",
         "for each segment, and each time",
         "  for i = 1 to p",
         "    alpha[i] = i / (p+1)",
@@ -96,10 +96,10 @@ const Algorithm& degree_elevation() {
          ValueSpec::Draw::polygon},
     };
     a.phases = {
-        {"decompose", "Decompose into Bezier segments", 1,
-         "First the curve falls into Bezier segments: each knot of the domain is inserted until it has multiplicity p."},
+        {"decompose", "Decompose into Bézier segments", 1,
+         "First the curve falls into Bézier segments: each knot of the domain is inserted until it has multiplicity p."},
         {"knot", "Insert knot {index}", 1, "Insert knot number {index} until it has full multiplicity."},
-        {"elevate", "Elevate each segment", 2, "Now each Bezier segment is elevated by the Bezier formula."},
+        {"elevate", "Elevate each segment", 2, "Now each Bézier segment is elevated by the Bézier formula."},
         {"round", "Elevation {index}", 2, "Elevation number {index}: one degree higher."},
         {"recompose", "Recompose", 7, "The knots inserted before are not needed: the control points over the new knots are read off."},
         {"point", "Control point {index}", 8,

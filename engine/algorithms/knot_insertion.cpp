@@ -78,7 +78,7 @@ const Algorithm& knot_insertion() {
         {"U", {}, "the knot vector"},
         {"U", {"i"}, "the knot u_i"},
         {"P", {"i"}, "the control point P_i", 0, "", ValueSpec::Draw::polygon},
-        {"k", {}, "the span of u", 1, "u = {u} falls into the span [u_{k}, u_{k+1}) = [{U[k]}, {U[k+1]}), so k = {k}."},
+        {"k", {}, "the span of u", 1, "u = {u} falls into the span [u_{k}, u_{k+1}) of U = {U}, so k = {k}."},
         {"s", {}, "the multiplicity of u before", 2, "u = {u} is a knot s = {s} times already."},
         {"alpha", {"r", "i"}, "the ratio for Q[r][i]", 5,
          "alpha[{r}][{i}] = {formula} = {numbers} = {value}."},

@@ -56,7 +56,7 @@ int Narrator<S>::line(std::uint32_t step) const {
     return spec != nullptr ? spec->line : 0;
   }
   const ValueId v = trace().main_value(step);
-  if (v == absent) return 0;
+  if (v == absent || trace().is_input(v)) return 0;
   const ValueSpec* spec = spec_of(algorithm, *run_->algorithm, trace().value(v).name);
   return spec != nullptr ? spec->line : 0;
 }
@@ -84,29 +84,41 @@ std::string Narrator<S>::text(std::uint32_t step) const {
       narration = algorithm.given_narration;
     } else {
       const ValueSpec* spec = spec_of(algorithm, *run_->algorithm, trace().value(v).name);
-      narration = spec != nullptr ? spec->narration : std::string_view("{name} = {formula} = {value}");
+      narration = spec != nullptr && !spec->narration.empty() ? spec->narration : std::string_view("{name} = {formula} = {value}");
     }
   }
   return fill(narration, step);
 }
 
+namespace {
+
+template <class Iterator>
+std::string list(Iterator begin, Iterator end) {
+  std::string text = "(";
+  for (auto it = begin; it != end; ++it) text += (it != begin ? ", " : "") + format_number(*it);
+  return text + ")";
+}
+
+}  // namespace
+
+template <Scalar S>
+std::string Narrator<S>::operand_text(ValueId v) const {
+  const ValueKind kind = trace().value(v).kind;
+  if (kind != ValueKind::vector && !(kind == ValueKind::point && trace().rational)) return value_text(v);
+  const auto numbers = trace().numbers(v);
+  std::vector<S> shown(numbers.begin(), numbers.begin() + trace().dimension);
+  if (trace().rational) shown.push_back(numbers[3]);
+  return list(shown.begin(), shown.end());
+}
+
 template <Scalar S>
 std::string Narrator<S>::value_text(ValueId v) const {
   const auto numbers = trace().numbers(v);
-  const auto list = [](auto begin, auto end) {
-    std::string text = "(";
-    for (auto it = begin; it != end; ++it) text += (it != begin ? ", " : "") + format_number(*it);
-    return text + ")";
-  };
   switch (trace().value(v).kind) {
     case ValueKind::integer:
     case ValueKind::scalar: return format_number(numbers[0]);
     case ValueKind::list: return list(numbers.begin(), numbers.end());
-    case ValueKind::vector: {
-      std::vector<S> shown(numbers.begin(), numbers.begin() + trace().dimension);
-      if (trace().rational) shown.push_back(numbers[3]);
-      return list(shown.begin(), shown.end());
-    }
+    case ValueKind::vector: return operand_text(v);
     case ValueKind::point: break;
   }
   std::vector<S> shown(numbers.begin(), numbers.begin() + trace().dimension);
@@ -163,10 +175,11 @@ template <Scalar S>
 std::string Narrator<S>::numbers(ValueId v) const {
   if (trace().is_input(v)) return value_text(v);
   std::vector<std::string> values;
+  const bool listed = trace().value(v).rule->formula.find("{*}") != std::string_view::npos;
   for (const ValueId o : trace().operands(v)) {
-    std::string text = value_text(o);
-    // A negative number or a fraction inside a formula needs its parentheses.
-    if (trace().numbers(o).size() == 1 && text.find_first_of("-/") != std::string::npos) text = "(" + text + ")";
+    std::string text = operand_text(o);
+    // A negative number or a fraction inside a formula needs its parentheses, in a list between commas it does not.
+    if (!listed && trace().numbers(o).size() == 1 && text.find_first_of("-/") != std::string::npos) text = "(" + text + ")";
     values.push_back(std::move(text));
   }
   return fill_formula(trace().value(v).rule->formula, values);
@@ -245,9 +258,10 @@ std::optional<std::string> Narrator<S>::placeholder(std::string_view inside, con
       for (std::size_t n = 0; n < context.spec->indices.size(); ++n)
         if (context.spec->indices[n] == inside) return std::to_string(trace().value(v).name.index[n]);
   }
-  const bool name_only = !inside.empty() && inside[0] == '#';
-  if (const auto found = resolve(name_only ? inside.substr(1) : inside, context)) {
-    if (!name_only) return value_text(*found);
+  const char form = inside.empty() ? ' ' : inside[0];
+  if (const auto found = resolve(form == '#' || form == '~' ? inside.substr(1) : inside, context)) {
+    if (form == '~') return operand_text(*found);
+    if (form != '#') return value_text(*found);
     std::string name = trace().name(*found);
     if (name.starts_with(context.scope)) name.erase(0, context.scope.size());
     return name;

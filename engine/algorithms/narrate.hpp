@@ -5,6 +5,7 @@
 //   {P[r-1][i]}   the value of that name, as the run shows numbers; indices are sums and differences of whole numbers,
 //                 of the indices' names at this step, and of whole-number values such as k, s, p
 //   {#P[r-1][i]}  its name: P[0][3]
+//   {~P[r-1][i]}  its value as a formula takes it: a point of a rational curve as (wx, wy, w); all else as above
 //   {value} {name} {formula} {numbers}   of the step's main value: its value, its name, its formula with names, and the
 //                 formula with numbers filled in
 //   {polar}       the polar label of the main value
@@ -31,6 +32,7 @@ class Narrator {
   int line(std::uint32_t step) const;               // of algorithm_at(step)'s pseudo-code; 0: none
   std::string text(std::uint32_t step) const;       // the narration
   std::string value_text(ValueId) const;            // "(1/2, 3)", "(1, 2), w = 2", "2/5", "(0, 0, 1, 1)"
+  std::string operand_text(ValueId) const;          // the same, but a point of a rational curve as (wx, wy, w)
   std::string formula(ValueId) const;               // with names:   (1 - u) P[0][0] + u P[0][1]
   std::string numbers(ValueId) const;               // with numbers: (1 - 2/5) (0, 0) + 2/5 (1, 2)
   std::string polar(ValueId) const;                 // "b(0, 2/5, 1)" or ""

@@ -245,6 +245,11 @@ std::optional<Exact> Exact::parse(std::string_view text) {
     text.remove_prefix(1);
     const std::string_view below = take_digits(text);
     if (whole.empty() || below.empty() || !text.empty()) return std::nullopt;
+    if (whole.size() <= 18 && below.size() <= 18) {
+      const std::int64_t num = small_digits(0, whole), den = small_digits(0, below);
+      if (den == 0) return std::nullopt;
+      return ratio(negative ? -num : num, den);
+    }
     Integer num = 0, den = 0;
     append_digits(num, whole);
     append_digits(den, below);

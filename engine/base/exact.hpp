@@ -25,8 +25,9 @@ class Exact {
   static Exact ratio(std::int64_t n, std::int64_t d);  // n/d in lowest terms; precondition: d != 0
   static Exact approximate(double value);              // known only in double precision; precondition: finite
 
-  // "7", "-3/2", "0.4", "+1.5e-3". Nothing if the text is no number, or is hostile: more than 400 characters, a decimal
-  // exponent beyond +-400, a denominator of zero. Leading and trailing blanks are not accepted.
+  // "7", "-3/2", "0.4", ".5", "5.", "+1.5e-3"; a fraction is of whole numbers. Nothing if the text is no number, or is
+  // hostile: more than 400 characters, a decimal exponent beyond +-400, a denominator of zero. Leading and trailing
+  // blanks are not accepted.
   static std::optional<Exact> parse(std::string_view text);
 
   Exact(const Exact&);

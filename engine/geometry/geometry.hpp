@@ -1,6 +1,7 @@
 #pragma once
 // Curves and surfaces as values. Control points are homogeneous, (w x, w y, w z, w): a polynomial curve has w = 1
-// throughout, and every algorithm that only blends points serves all four kinds (Bezier, rational Bezier, B-spline, NURBS).
+// throughout, and every algorithm that only blends points serves all four kinds (Bezier, rational Bezier, B-spline,
+// NURBS).
 //
 // Index conventions of The NURBS Book: degree p, control points P_0..P_n, knots u_0..u_m, m = n + p + 1, domain
 // [u_p, u_{n+1}]. A Bezier curve is stored with the knots 0 (p+1 times), 1 (p+1 times).
@@ -25,12 +26,12 @@ using Point = glm::vec<3, S, glm::defaultp>;
 
 template <Scalar S>
 struct Curve {
-  int degree = 0;                  // 1..max_degree
-  std::vector<S> knots;            // nondecreasing, no multiplicity above degree + 1
-  std::vector<HPoint<S>> points;   // at least degree + 1
-  int dimension = 2;               // 2 or 3; in 2D z = 0
-  bool rational = false;           // weights were given
-  bool bezier = false;             // given without knots
+  int degree = 0;                 // 1..max_degree
+  std::vector<S> knots;           // nondecreasing, no multiplicity above degree + 1
+  std::vector<HPoint<S>> points;  // at least degree + 1
+  int dimension = 2;              // 2 or 3; in 2D z = 0
+  bool rational = false;          // weights were given
+  bool bezier = false;            // given without knots
 
   int n() const { return static_cast<int>(points.size()) - 1; }
   int m() const { return static_cast<int>(knots.size()) - 1; }

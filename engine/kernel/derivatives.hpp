@@ -46,12 +46,6 @@ Point<S> xyz(const HPoint<S>& P) {
   return {P.x, P.y, P.z};
 }
 
-template <Scalar S>
-bool is_point(const Point<S>& P) {
-  if constexpr (std::is_same_v<S, double>) return std::isfinite(P.x) && std::isfinite(P.y) && std::isfinite(P.z);
-  return true;
-}
-
 // sink(j, A^(j)) for j = 0..min(d, p); all higher ones are zero. `points` are P_{k-p}..P_k.
 template <int P, Scalar S, class Sink>
 inline void homogeneous_derivatives(const S* Uk, int p, const S* R, const HPoint<S>* points, const S& u, int d,
@@ -70,7 +64,7 @@ bool divide_by_weight(Point<S>* C, int d, const S* w, int last) {
   for (int k = 0; k <= d; ++k) {
     for (int i = 1; i <= std::min(k, last); ++i) C[k] -= C[k - i] * (S(binomial[k][i]) * w[i]);
     C[k] /= w[0];
-    if (!is_point(C[k])) return false;
+    if (!is_finite(C[k])) return false;
   }
   return true;
 }
@@ -95,7 +89,7 @@ void homogeneous_derivatives(const Curve<S>& curve, const std::type_identity_t<S
   const int p = curve.degree;
   const int k = find_span<S>(curve.knots, p, u);
   const S* Uk = curve.knots.data() + k;
-  detail::Reciprocals<S> R;
+  detail::Reciprocals<S> R{};
   detail::knot_reciprocals<0>(Uk, p, R.data());
   detail::homogeneous_derivatives<0>(Uk, p, R.data(), curve.points.data() + (k - p), u, d,
                                      [&](int j, const HPoint<S>& value) { A[j] = value; });
@@ -153,7 +147,7 @@ template <Scalar S>
         }
       }
       D /= w[0];
-      if (!detail::is_point(D)) return false;
+      if (!is_finite(D)) return false;
     }
   }
   return true;

@@ -20,16 +20,20 @@
 
 namespace blossom {
 
+// Whether all coordinates are finite. Exact numbers always are.
+template <Scalar S>
+bool is_finite(const Point<S>& P) {
+  if constexpr (std::is_same_v<S, double>) return std::isfinite(P.x) && std::isfinite(P.y) && std::isfinite(P.z);
+  return true;
+}
+
 // (wx, wy, wz, w) -> (x, y, z). Nothing where there is no point: w = 0, and in double also a w so small that a quotient
 // overflows. So what comes out is never a NaN or an infinity.
 template <Scalar S>
 std::optional<Point<S>> affine_point(const HPoint<S>& P) {
   if (P.w == S(0)) return std::nullopt;
   const Point<S> Q(P.x / P.w, P.y / P.w, P.z / P.w);
-  if constexpr (std::is_same_v<S, double>) {
-    if (!(std::isfinite(Q.x) && std::isfinite(Q.y) && std::isfinite(Q.z))) return std::nullopt;
-  }
-  return Q;
+  return is_finite(Q) ? std::optional(Q) : std::nullopt;
 }
 
 namespace detail {
@@ -114,8 +118,7 @@ HPoint<S> homogeneous_point(const Curve<S>& curve, const std::type_identity_t<S>
 // The point C(u); nothing where the denominator is zero.
 template <Scalar S>
 std::optional<Point<S>> point(const Curve<S>& curve, const std::type_identity_t<S>& u) {
-  const HPoint<S> C = homogeneous_point(curve, u);
-  return affine_point(C);
+  return affine_point(homogeneous_point(curve, u));
 }
 
 // The homogeneous point S^w(u, v).

@@ -3,8 +3,7 @@
 //
 // What depends on the knots only is computed once: the reciprocals of the knot differences (then no evaluation divides,
 // but for the weight), and a table of equal buckets over the domain that leads to the span in O(1) for knots that are
-// spread at all evenly, O(log n) for any. An evaluator holds a copy of the geometry. Results agree with the plain
-// functions (evaluate.hpp, derivatives.hpp) bit for bit: it is the same code on the same reciprocals.
+// spread at all evenly, O(log n) for any. An evaluator holds a copy of the geometry.
 
 #include <algorithm>
 #include <array>
@@ -18,6 +17,7 @@
 
 #include "geometry/geometry.hpp"
 #include "kernel/basis.hpp"
+#include "kernel/blossom.hpp"
 #include "kernel/derivatives.hpp"
 #include "kernel/evaluate.hpp"
 #include "kernel/span.hpp"
@@ -91,17 +91,45 @@ class SpanTable {
   std::vector<int> first_;
 };
 
+// Points come from the Bezier form of each span. With its control points b_i and t = (u - u_k) / (u_{k+1} - u_k),
+//
+//   C^w(u) = sum_i binom(p,i) (1-t)^(p-i) t^i b_i
+//
+// takes O(p) operations by Horner's rule in 1-t (Farin, Curves and Surfaces for CAGD, section 5.1), where the basis
+// functions take O(p^2). All terms have the sign of their b_i: rounding is as harmless as in de Casteljau's algorithm.
 class CurveEvaluator {
  public:
-  explicit CurveEvaluator(const Curve<double>& curve) : spans_(curve.knots, curve.degree), points_(curve.points) {}
+  explicit CurveEvaluator(const Curve<double>& curve) : spans_(curve.knots, curve.degree), points_(curve.points) {
+    const int p = curve.degree;
+    for (int s = 0; s < spans_.count(); ++s) {
+      const double* Uk = spans_.knots_from(s);
+      pieces_.push_back({Uk[0], 1 / (Uk[1] - Uk[0])});
+      for (int i = 0; i <= p; ++i) {
+        // b_i is the blossom at p - i times the left end and i times the right end.
+        std::array<double, max_degree> ends;
+        std::fill_n(ends.begin(), p, Uk[0]);
+        std::fill_n(ends.begin(), i, Uk[1]);
+        const auto b = blossom<double>(curve, spans_.span(s), std::span(ends.data(), static_cast<std::size_t>(p)));
+        scaled_.push_back(b * static_cast<double>(detail::binomial[p][i]));
+      }
+    }
+  }
 
   HPoint<double> homogeneous_point(double u) const {
-    const int p = spans_.degree();
     const int s = spans_.find(u);
-    return detail::with_degree<double>(p, [&](auto P) {
-      detail::BasisRow<double> N;
-      detail::basis_on_span<P()>(spans_.knots_from(s), p, u, spans_.reciprocals(s), N.data());
-      return detail::combine<P()>(N.data(), points_.data() + (spans_.span(s) - p), p).point();
+    return detail::with_degree<double>(spans_.degree(), [&](auto P) {
+      const int p = P() > 0 ? P() : spans_.degree();
+      const HPoint<double>* b = scaled_.data() + static_cast<std::ptrdiff_t>(s) * (p + 1);
+      const double t = (u - pieces_[s].begin) * pieces_[s].reciprocal;
+      double power = t;
+      detail::Blend<double> C(b[0], 1 - t);
+      C.add(b[1], power);
+      for (int i = 2; i <= p; ++i) {
+        power *= t;
+        C = detail::Blend<double>(C, 1 - t);
+        C.add(b[i], power);
+      }
+      return C.point();
     });
   }
 
@@ -119,8 +147,14 @@ class CurveEvaluator {
   }
 
  private:
+  struct Piece {
+    double begin, reciprocal;  // u_k and 1 / (u_{k+1} - u_k)
+  };
+
   SpanTable spans_;
   std::vector<HPoint<double>> points_;
+  std::vector<Piece> pieces_;
+  std::vector<HPoint<double>> scaled_;  // binom(p,i) b_i, span after span
 };
 
 class SurfaceEvaluator {

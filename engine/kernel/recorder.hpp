@@ -198,7 +198,7 @@ struct NoRecorder {
   Givens<T, NoId> inputs(const NameMaker&, int, std::span<const T> values) const {
     return {values, {}};
   }
-  Ref<std::span<const S>, NoId> list(const Name&, const std::span<const S>& values) const { return {values, {}}; }
+  Traced<std::span<const S>, NoId> list(const Name&, const std::span<const S>& values) const { return {values, {}}; }
   Guard phase(const Phase&) const { return {}; }
   Guard one_step() const { return {}; }
   void retire(NoId) const {}

@@ -65,7 +65,7 @@ struct BasisValue {
   }
   template <Scalar S>
   static bool defined(int j, int q, const S& v, std::span<const S> V) {
-    return q >= 1 && j >= 0 && j + q + 1 < static_cast<int>(V.size()) && FindSpan::defined<S>(q, v, V);
+    return q >= 1 && q <= max_degree && j >= 0 && j + q + 1 < static_cast<int>(V.size()) && FindSpan::defined<S>(q, v, V);
   }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// Where pictures are drawn, in pixels: x right, y down, from the top left corner of the frame. A canvas knows nothing of
-// worlds, roles or themes; the painter has turned them into positions, colours and widths. Things are painted in the
+// Where pictures are drawn, in pixels: x right, y down, from the top left corner of the frame. A canvas knows nothing
+// of worlds, roles or themes; the painter has turned them into positions, colours and widths. Things are painted in the
 // order of the calls.
 //
 // Depth: 0 is nearest, 1 farthest. In a view with depth, triangles hide what is drawn later behind them; lines,

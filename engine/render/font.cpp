@@ -43,7 +43,7 @@ std::string encode_utf8(char32_t c) {
 struct Fonts::Impl {
   struct Face {
     FT_Face face = nullptr;
-    std::unordered_map<char32_t, double> advances;        // in ems
+    std::unordered_map<char32_t, double> advances;       // in ems
     std::unordered_map<std::uint64_t, double> kernings;  // in ems, of a pair
   };
   FT_Library library = nullptr;
@@ -102,8 +102,8 @@ double Fonts::kerning(FontStyle style, char32_t left, char32_t right) const {
   const std::uint64_t key = std::uint64_t{left} << 32 | right;
   if (const auto found = face.kernings.find(key); found != face.kernings.end()) return found->second;
   FT_Vector delta{};
-  const bool known = FT_Get_Kerning(face.face, FT_Get_Char_Index(face.face, left),
-                                    FT_Get_Char_Index(face.face, right), FT_KERNING_UNSCALED, &delta) == 0;
+  const bool known = FT_Get_Kerning(face.face, FT_Get_Char_Index(face.face, left), FT_Get_Char_Index(face.face, right),
+                                    FT_KERNING_UNSCALED, &delta) == 0;
   return face.kernings[key] = known ? static_cast<double>(delta.x) / face.face->units_per_EM : 0;
 }
 

@@ -20,8 +20,8 @@ std::string encode_utf8(char32_t);
 
 struct GlyphBitmap {
   int width = 0, height = 0;
-  int left = 0;  // pixels from the pen (rounded down) to the first column
-  int top = 0;   // pixels from the baseline up to the upper edge of the first row
+  int left = 0;                        // pixels from the pen (rounded down) to the first column
+  int top = 0;                         // pixels from the baseline up to the upper edge of the first row
   std::vector<std::uint8_t> coverage;  // height rows of width
 };
 

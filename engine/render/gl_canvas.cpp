@@ -115,7 +115,9 @@ void GlCanvas::begin(const Frame& frame) {
 }
 
 void GlCanvas::begin_view(const PixelRect& clip, bool depth) {
-  const auto pixel = [](double v, int limit) { return static_cast<int>(std::lround(std::clamp(v, 0.0, double(limit)))); };
+  const auto pixel = [](double v, int limit) {
+    return static_cast<int>(std::lround(std::clamp(v, 0.0, double(limit))));
+  };
   const int left = pixel(clip.x, frame_.width), right = pixel(clip.right(), frame_.width);
   const int top = pixel(clip.y, frame_.height), bottom = pixel(clip.bottom(), frame_.height);
   scissor_ = {left, frame_.height - bottom, std::max(0, right - left), std::max(0, bottom - top)};
@@ -227,8 +229,8 @@ void GlCanvas::polygon(std::span<const PixelPoint> points, Color color) {
 
 void GlCanvas::marker(const PixelPoint& at, Marker::Shape shape, const MarkerPaint& paint) {
   batch(Program::markers, markers_.size()).count += 1;
-  markers_.push_back({at.x, at.y, at.depth, paint.radius, static_cast<float>(shape), paint.outline_width, paint.fill,
-                      paint.outline});
+  markers_.push_back(
+      {at.x, at.y, at.depth, paint.radius, static_cast<float>(shape), paint.outline_width, paint.fill, paint.outline});
 }
 
 void GlCanvas::triangles(std::span<const PixelPoint> points, std::span<const Color> colors,
@@ -260,8 +262,8 @@ void GlCanvas::text(std::span<const GlyphRun> runs, const TextPaint& paint) {
       const auto& place = atlas_.find(run.style, c, run.size, static_cast<int>(quarters - 4 * whole), halo);
       if (place.width == 0) return;
       glyphs_.push_back({static_cast<float>(whole + place.left), static_cast<float>(baseline - place.top),
-                         static_cast<float>(place.width), static_cast<float>(place.height),
-                         static_cast<float>(place.x), static_cast<float>(place.y), color});
+                         static_cast<float>(place.width), static_cast<float>(place.height), static_cast<float>(place.x),
+                         static_cast<float>(place.y), color});
     });
   };
   if (paint.halo_width > 0) {

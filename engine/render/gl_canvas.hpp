@@ -1,7 +1,7 @@
 #pragma once
-// The OpenGL canvas, for OpenGL 3.3 core and OpenGL ES 3.0. A frame is recorded and drawn at finish() in as few calls as
-// its order allows. Programs, buffers and the glyph atlas live as long as the canvas; framebuffers as long as the frame
-// keeps its size. A context must be current in every call and in the destructor.
+// The OpenGL canvas, for OpenGL 3.3 core and OpenGL ES 3.0. A frame is recorded and drawn at finish() in as few calls
+// as its order allows. Programs, buffers and the glyph atlas live as long as the canvas; framebuffers as long as the
+// frame keeps its size. A context must be current in every call and in the destructor.
 
 #include <memory>
 #include <vector>

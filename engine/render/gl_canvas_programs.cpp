@@ -23,9 +23,9 @@ Checked<GLuint> make_program(const GlFunctions& gl, bool is_es, const ProgramSou
     const char* common;
     const char* text;
   };
-  const std::array<Stage, 2> stages = {{{GL_VERTEX_SHADER, "vertex stage", shaders::common_vertex, source.vertex},
-                                        {GL_FRAGMENT_SHADER, "fragment stage", shaders::common_fragment,
-                                         source.fragment}}};
+  const std::array<Stage, 2> stages = {
+      {{GL_VERTEX_SHADER, "vertex stage", shaders::common_vertex, source.vertex},
+       {GL_FRAGMENT_SHADER, "fragment stage", shaders::common_fragment, source.fragment}}};
   const GLuint program = gl.CreateProgram();
   Diagnostics wrong;
   for (const auto& stage : stages) {

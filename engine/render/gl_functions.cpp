@@ -10,8 +10,8 @@ Checked<GlFunctions> load_gl_functions(const GlLoader& loader) {
   const auto load = [&](auto& function, const char* name) {
     function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(loader(name));
     if (function == nullptr) {
-      missing.push_back({"", 0, 0, "",
-                         std::string("this OpenGL has no ") + name + "; version 3.3, or OpenGL ES 3.0, is needed"});
+      missing.push_back(
+          {"", 0, 0, "", std::string("this OpenGL has no ") + name + "; version 3.3, or OpenGL ES 3.0, is needed"});
     }
   };
 #define BLOSSOM_GL_LOAD(type, name) load(gl.name, "gl" #name);

@@ -55,8 +55,8 @@ const GlyphAtlas::Place& GlyphAtlas::find(FontStyle style, char32_t c, double si
                              static_cast<std::uint64_t>(quarter) << 3;
   const Key key{std::uint64_t{c} << 8 | look, size64 << 32 | halo64};
   if (const auto found = places_.find(key); found != places_.end()) return found->second;
-  const auto bitmap = fonts_->bitmap(style, c, static_cast<double>(size64) / 64, quarter,
-                                     static_cast<double>(halo64) / 64);
+  const auto bitmap =
+      fonts_->bitmap(style, c, static_cast<double>(size64) / 64, quarter, static_cast<double>(halo64) / 64);
   Place place{0, 0, bitmap.width, bitmap.height, bitmap.left, bitmap.top};
   if (bitmap.width == 0 || bitmap.height == 0) {
     place = {};

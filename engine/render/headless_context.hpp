@@ -19,7 +19,7 @@ class HeadlessContext {
 
   virtual bool make_current() = 0;  // for this thread
   virtual void (*address_of(const char* function) const)() = 0;
-  virtual bool is_es() const = 0;   // OpenGL ES 3.0; otherwise OpenGL 3.3 core
+  virtual bool is_es() const = 0;  // OpenGL ES 3.0; otherwise OpenGL 3.3 core
 };
 
 // "osmesa": Mesa's off-screen interface, OpenGL 3.3 core; the default. "egl": EGL without a surface, OpenGL ES 3.0, for

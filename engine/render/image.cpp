@@ -104,10 +104,9 @@ bool run(ReadJob& job) {
   return true;
 }
 
-// A line of text straight into an image; what would pass `right` is cut off.
-void write_text(Image& image, const Fonts& fonts, const GlyphRun& run, Color color, double right) {
+// A line of text straight into an image.
+void write_text(Image& image, const Fonts& fonts, const GlyphRun& run, Color color) {
   for_each_glyph(fonts, run, [&](char32_t c, double pen) {
-    if (pen + fonts.advance(run.style, c) * run.size > right) return;
     const int whole = static_cast<int>(std::floor(pen)), quarter = static_cast<int>((pen - whole) * 4);
     const auto glyph = fonts.bitmap(run.style, c, run.size, quarter, 0);
     for (int y = 0; y < glyph.height; ++y) {
@@ -125,6 +124,18 @@ void write_text(Image& image, const Fonts& fonts, const GlyphRun& run, Color col
   });
 }
 
+// The text, or as much of it as fits with an ellipsis.
+std::string cut_to_width(const Fonts& fonts, const std::string& text, double ems) {
+  if (fonts.width({}, text) <= ems) return text;
+  std::string kept;
+  for (const char32_t c : decode_utf8(text)) {
+    const std::string longer = kept + encode_utf8(c);
+    if (fonts.width({}, longer + "\u2026") > ems) break;
+    kept = longer;
+  }
+  return kept + "\u2026";
+}
+
 }  // namespace
 
 Image::Image(int w, int h, Color fill) : width(w), height(h) {
@@ -137,15 +148,15 @@ Image::Image(int w, int h, Color fill) : width(w), height(h) {
 
 Color Image::at(int x, int y) const {
   assert(x >= 0 && y >= 0 && x < width && y < height);
-  const std::uint8_t* p = &pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                       static_cast<std::size_t>(x))];
+  const std::uint8_t* p =
+      &pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
   return {p[0], p[1], p[2], p[3]};
 }
 
 void Image::set(int x, int y, Color c) {
   assert(x >= 0 && y >= 0 && x < width && y < height);
-  std::uint8_t* p = &pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                 static_cast<std::size_t>(x))];
+  std::uint8_t* p =
+      &pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
   p[0] = c.r, p[1] = c.g, p[2] = c.b, p[3] = c.a;
 }
 
@@ -224,11 +235,11 @@ Image contact_sheet(const Fonts& fonts, const Theme& theme, std::span<const Imag
                     std::span<const std::string> captions, int columns, int thumbnail_width) {
   assert(images.size() == captions.size() && columns > 0 && thumbnail_width > 0);
   constexpr int gap = 16, caption_height = 26;
-  constexpr double caption_size = 13;
+  constexpr double caption_size = 12;
   int thumbnail_height = 1;
   for (const auto& image : images) {
-    thumbnail_height = std::max(thumbnail_height, static_cast<int>(std::lround(double(thumbnail_width) * image.height /
-                                                                               image.width)));
+    thumbnail_height =
+        std::max(thumbnail_height, static_cast<int>(std::lround(double(thumbnail_width) * image.height / image.width)));
   }
   const int count = static_cast<int>(images.size());
   const int used_columns = std::max(1, std::min(columns, count)), rows = (count + used_columns - 1) / used_columns;
@@ -249,9 +260,8 @@ Image contact_sheet(const Fonts& fonts, const Theme& theme, std::span<const Imag
         sheet.set(left + x, top + y, edge ? frame : small.at(x, y));
       }
     }
-    const GlyphRun caption{captions[static_cast<std::size_t>(i)], double(left), double(top + thumbnail_height + 18),
-                           caption_size, {}};
-    write_text(sheet, fonts, caption, theme[Role::text].ink, left + thumbnail_width);
+    const std::string text = cut_to_width(fonts, captions[static_cast<std::size_t>(i)], thumbnail_width / caption_size);
+    write_text(sheet, fonts, {text, double(left), double(top + height + 18), caption_size, {}}, theme[Role::text].ink);
   }
   return sheet;
 }

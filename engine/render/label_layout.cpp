@@ -19,7 +19,7 @@ constexpr int directions = 16;
 }  // namespace
 
 LabelLayout::LabelLayout(const PixelRect& view) : view_(view) {
-  cell_ = std::max(2.0, std::sqrt(view.width * view.height / most_cells));
+  cell_ = std::max(1.5, std::sqrt(view.width * view.height / most_cells));
   columns_ = std::max(1, static_cast<int>(std::ceil(view.width / cell_)));
   rows_ = std::max(1, static_cast<int>(std::ceil(view.height / cell_)));
   blocked_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
@@ -44,7 +44,13 @@ void LabelLayout::block(const PixelRect& box) {
 }
 
 void LabelLayout::add_marker(double x, double y, double radius) {
-  block({x - radius, y - radius, 2 * radius, 2 * radius});
+  const Cells rows = cells_of({x - radius, y - radius, 2 * radius, 2 * radius});
+  for (int row = rows.top; row < rows.bottom; ++row) {
+    // The chord of the disc at the row's nearest height.
+    const double top = view_.y + row * cell_, height = std::clamp(y, top, top + cell_) - y;
+    const double half = std::sqrt(std::max(0.0, radius * radius - height * height));
+    block({x - half, top + cell_ / 4, 2 * half, cell_ / 2});
+  }
 }
 
 void LabelLayout::add_label(const PixelRect& box) { block(box); }
@@ -58,8 +64,8 @@ void LabelLayout::add_line(double ax, double ay, double bx, double by, double in
     const double column = std::floor((ax + t * (bx - ax) - view_.x) / cell_);
     const double row = std::floor((ay + t * (by - ay) - view_.y) / cell_);
     if (!(column >= 0 && column < columns_ && row >= 0 && row < rows_)) continue;
-    auto& cell = ink_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                      static_cast<std::size_t>(column)];
+    auto& cell =
+        ink_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
     cell = std::max(cell, static_cast<float>(ink * cell_ / 2));
   }
 }
@@ -69,8 +75,8 @@ LabelLayout::Cost LabelLayout::cost_of(const PixelRect& box, bool stop_when_bloc
   const Cells cells = cells_of(box);
   for (int row = cells.top; row < cells.bottom; ++row) {
     for (int column = cells.left; column < cells.right; ++column) {
-      const std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                            static_cast<std::size_t>(column);
+      const std::size_t i =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
       cost.ink += ink_[i];
       cost.blocked += blocked_[i];
       if (stop_when_blocked && cost.blocked > 0) return cost;

@@ -38,7 +38,7 @@ class LabelLayout {
   void block(const PixelRect&);
 
   PixelRect view_;
-  double cell_ = 2;
+  double cell_ = 1.5;  // page units
   int columns_ = 0, rows_ = 0;
   std::vector<std::uint8_t> blocked_;
   std::vector<float> ink_;

@@ -11,25 +11,30 @@
 namespace blossom {
 namespace {
 
-constexpr double halo_width = 2.2;       // page units
-constexpr double leader_distance = 20;   // a label farther than this from its anchor is tied to it with a line
+constexpr double halo_width = 2.2;      // page units
+constexpr double leader_distance = 20;  // a label farther than this from its anchor is tied to it with a line
 
 // What covering a line costs a label; what the eye follows must stay whole.
 double ink_of(Role role) {
   switch (role) {
     case Role::grid:
     case Role::surface:
-    case Role::panel: return 0;
-    case Role::isoline: return 0.15;
+    case Role::panel:
+      return 0;
+    case Role::isoline:
+      return 0.15;
     case Role::axis:
     case Role::earlier:
     case Role::retired:
-    case Role::rule_line: return 0.5;
+    case Role::rule_line:
+      return 0.5;
     case Role::current:
     case Role::ratio_near:
     case Role::ratio_far:
-    case Role::result: return 2;
-    default: return 1;
+    case Role::result:
+      return 2;
+    default:
+      return 1;
   }
 }
 
@@ -76,9 +81,8 @@ void paint_labels(const View& view, const Projection& project, const PixelRect& 
 
   std::vector<const Label*> floating;
   std::optional<LabelLayout> layout;
-  const bool any_floating = std::any_of(view.labels.begin(), view.labels.end(), [](const Label& label) {
-    return label.placement == Label::Placement::around;
-  });
+  const bool any_floating = std::any_of(view.labels.begin(), view.labels.end(),
+                                        [](const Label& label) { return label.placement == Label::Placement::around; });
   if (any_floating) {
     layout.emplace(visible);
     fill_obstacles(*layout, view, project, visible, theme);

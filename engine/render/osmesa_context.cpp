@@ -28,9 +28,19 @@ class OsMesaContext final : public HeadlessContext {
 }  // namespace
 
 Checked<std::unique_ptr<HeadlessContext>> make_osmesa_context() {
-  constexpr std::array<int, 13> attributes = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 0,
-                                              OSMESA_STENCIL_BITS, 0, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                                              OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+  constexpr std::array<int, 13> attributes = {OSMESA_FORMAT,
+                                              OSMESA_RGBA,
+                                              OSMESA_DEPTH_BITS,
+                                              0,
+                                              OSMESA_STENCIL_BITS,
+                                              0,
+                                              OSMESA_PROFILE,
+                                              OSMESA_CORE_PROFILE,
+                                              OSMESA_CONTEXT_MAJOR_VERSION,
+                                              3,
+                                              OSMESA_CONTEXT_MINOR_VERSION,
+                                              3,
+                                              0};
   OSMesaContext context = OSMesaCreateContextAttribs(attributes.data(), nullptr);
   if (context == nullptr) {
     return Diagnostics{{"", 0, 0, "", "OSMesa makes no OpenGL 3.3 context; install the package libosmesa6"}};

@@ -80,7 +80,7 @@ class ViewPainter {
       colors_.push_back(i < mesh.normals.size() ? shaded(color, mesh.normals[i], mesh.positions[i]) : color);
     }
     for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
-      const auto *corners = &mesh.indices[t];
+      const auto* corners = &mesh.indices[t];
       if (!std::all_of(corners, corners + 3, [&](std::uint32_t i) { return i < n && drawable[i]; })) continue;
       for (int k = 0; k < 3; ++k) indices_.push_back(base + corners[k]);
     }
@@ -264,8 +264,8 @@ void paint(const Scene& scene, const Theme& theme, const Fonts& fonts, Canvas& c
   canvas.begin(*frame);
   const PixelRect page{0, 0, scene.width, scene.height};
   for (const auto& view : scene.views) {
-    const bool finite = std::isfinite(view.x) && std::isfinite(view.y) && std::isfinite(view.width) &&
-                        std::isfinite(view.height);
+    const bool finite =
+        std::isfinite(view.x) && std::isfinite(view.y) && std::isfinite(view.width) && std::isfinite(view.height);
     if (finite && view.width > 0 && view.height > 0) ViewPainter(view, page, theme, fonts, canvas, scale).paint();
   }
   canvas.finish();

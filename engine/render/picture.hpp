@@ -10,8 +10,9 @@
 
 namespace blossom {
 
-// Pixels are page units times scale. The same scene gives the same bytes. The OpenGL context, its programs and the glyphs
-// are made at a thread's first picture and kept for its next ones; `context` is a name of headless_context_names().
+// Pixels are page units times scale. The same scene gives the same bytes. The OpenGL context, its programs and the
+// glyphs are made at a thread's first picture and kept for its next ones; `context` is a name of
+// headless_context_names().
 Checked<Image> draw_image(const Scene&, const Theme&, double scale = 1, std::string_view context = "osmesa");
 
 // A whole SVG file, one pixel per page unit.

@@ -8,7 +8,7 @@
 namespace blossom {
 
 struct PagePoint {
-  double x = 0, y = 0;   // page units, on the page
+  double x = 0, y = 0;  // page units, on the page
   double depth = 0;
 };
 
@@ -30,10 +30,10 @@ class Projection {
 
   Camera camera_;
   double x_ = 0, y_ = 0, width_ = 0, height_ = 0;
-  double units_ = 1;                            // page units per world unit, at the centre
+  double units_ = 1;  // page units per world unit, at the centre
   glm::dvec3 right_{1, 0, 0}, up_{0, 1, 0}, toward_{0, 0, 1};
-  double eye_ = 0;                              // distance of the eye from the centre, in perspective
-  double nearest_ = 1, farthest_ = -1;          // z toward the viewer, about the centre, of all that is in the view
+  double eye_ = 0;                      // distance of the eye from the centre, in perspective
+  double nearest_ = 1, farthest_ = -1;  // z toward the viewer, about the centre, of all that is in the view
 };
 
 }  // namespace blossom

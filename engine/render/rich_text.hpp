@@ -9,15 +9,15 @@ namespace blossom {
 
 struct TextBlock {
   std::vector<GlyphRun> runs;
-  double left = 0, width = 0;   // the widest line's extent; left is negative unless the alignment is left
-  double top = 0, bottom = 0;   // extent about the first baseline: top < 0 < bottom
+  double left = 0, width = 0;  // the widest line's extent; left is negative unless the alignment is left
+  double top = 0, bottom = 0;  // extent about the first baseline: top < 0 < bottom
 };
 
 enum class TextAlign { left, centre, right };
 
-// Sub- and superscripts are set at 0.7 of the size, lowered and raised; a superscript directly after a subscript (or the
-// other way round) stands above it, at the same base: P with 4 and (1). Lines break at '\n' and, when max_width > 0, at
-// blanks; a word longer than a line is broken where it must. Lines are 1.4 sizes apart.
+// Sub- and superscripts are set at 0.7 of the size, lowered and raised; a superscript directly after a subscript (or
+// the other way round) stands above it, at the same base: P with 4 and (1). Lines break at '\n' and, when max_width >
+// 0, at blanks; a word longer than a line is broken where it must. Lines are 1.4 sizes apart.
 TextBlock set_text(const Fonts&, const RichText&, double size, TextAlign, double max_width = 0);
 
 }  // namespace blossom

@@ -24,9 +24,7 @@ std::string number(double value) {
   return text;
 }
 
-std::string attribute(const char* name, double value) {
-  return std::string(" ") + name + "=\"" + number(value) + "\"";
-}
+std::string attribute(const char* name, double value) { return std::string(" ") + name + "=\"" + number(value) + "\""; }
 
 std::string hex(Color c) {
   constexpr const char* digits = "0123456789abcdef";
@@ -50,10 +48,18 @@ std::string escape(std::string_view text) {
   std::string result;
   for (const char32_t c : decode_utf8(text)) {
     switch (c) {
-      case U'&': result += "&amp;"; break;
-      case U'<': result += "&lt;"; break;
-      case U'>': result += "&gt;"; break;
-      case U'"': result += "&quot;"; break;
+      case U'&':
+        result += "&amp;";
+        break;
+      case U'<':
+        result += "&lt;";
+        break;
+      case U'>':
+        result += "&gt;";
+        break;
+      case U'"':
+        result += "&quot;";
+        break;
       default: {
         const bool allowed = c == '\t' || c == '\n' || (c >= 0x20 && c != 0x7F && c != 0xFFFE && c != 0xFFFF);
         result += encode_utf8(allowed ? c : U'\uFFFD');
@@ -214,8 +220,9 @@ void SvgCanvas::marker(const PixelPoint& at, Marker::Shape shape, const MarkerPa
   };
   // The rim lies under the fill and reaches out by its width.
   const auto filled = [&](const std::string& element) {
-    if (rim > 0) out_ += element + paint("fill", look.outline) + paint("stroke", look.outline) +
-                         attribute("stroke-width", 2 * rim) + "/>\n";
+    if (rim > 0)
+      out_ += element + paint("fill", look.outline) + paint("stroke", look.outline) +
+              attribute("stroke-width", 2 * rim) + "/>\n";
     out_ += element + paint("fill", look.fill) + "/>\n";
   };
   const auto stroked = [&](const std::string& element, float width) {
@@ -224,10 +231,14 @@ void SvgCanvas::marker(const PixelPoint& at, Marker::Shape shape, const MarkerPa
   };
   const float side = 0.86f * r, corner = 1.2162f * r, arm = 0.7778f * r;
   switch (shape) {
-    case Marker::Shape::disc: return filled(circle(r));
-    case Marker::Shape::ring: return stroked(circle(0.8f * r), 0.4f * r);
-    case Marker::Shape::square: return filled(shape_path({{-side, -side}, {side, -side}, {side, side}, {-side, side}}));
-    case Marker::Shape::diamond: return filled(shape_path({{0, -corner}, {corner, 0}, {0, corner}, {-corner, 0}}));
+    case Marker::Shape::disc:
+      return filled(circle(r));
+    case Marker::Shape::ring:
+      return stroked(circle(0.8f * r), 0.4f * r);
+    case Marker::Shape::square:
+      return filled(shape_path({{-side, -side}, {side, -side}, {side, side}, {-side, side}}));
+    case Marker::Shape::diamond:
+      return filled(shape_path({{0, -corner}, {corner, 0}, {0, corner}, {-corner, 0}}));
     case Marker::Shape::triangle:
       return filled(shape_path({{0, -1.3f * r}, {1.1258f * r, 0.65f * r}, {-1.1258f * r, 0.65f * r}}));
     case Marker::Shape::cross: {

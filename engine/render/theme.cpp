@@ -19,30 +19,30 @@ struct Form {
   double text_size;
 };
 constexpr std::array<Form, role_count> forms = {{
-    {1.0, 0, 0, 4, Shape::disc, 12},       // grid
-    {1.3, 0, 0, 5, Shape::disc, 12},       // axis
-    {2.8, 0, 0, 7, Shape::disc, 14},       // curve
-    {3.6, 0, 0, 8, Shape::disc, 14},       // curve_result
-    {1.5, 0, 0, 7, Shape::disc, 14},       // polygon
-    {1.5, 0, 0, 9, Shape::disc, 14},       // control_point
-    {1.2, 0, 0, 6, Shape::disc, 13},       // earlier
-    {1.9, 0, 0, 8, Shape::disc, 14},       // level_a
-    {1.9, 7, 4, 7.5, Shape::square, 14},   // level_b
-    {1.9, 2, 4, 8, Shape::triangle, 14},   // level_c
-    {2.6, 0, 0, 13, Shape::ring, 14},      // operand
-    {4.0, 0, 0, 13, Shape::disc, 15},      // current
-    {5.0, 0, 0, 8, Shape::disc, 13},       // ratio_near
-    {2.6, 0, 0, 8, Shape::disc, 13},       // ratio_far
-    {3.4, 0, 0, 14, Shape::diamond, 15},   // result
-    {1.3, 0.1, 4, 8, Shape::cross, 13},    // retired
-    {1.0, 0, 0, 6, Shape::disc, 13},       // surface
-    {1.1, 0, 0, 6, Shape::disc, 13},       // isoline
-    {1.0, 0, 0, 6, Shape::square, 13},     // panel
-    {1.0, 0, 0, 6, Shape::disc, 13},       // rule_line
-    {1.2, 0, 0, 6, Shape::disc, 14},       // text
-    {1.0, 0, 0, 6, Shape::disc, 12.5},     // text_quiet
-    {1.4, 0, 0, 6, Shape::disc, 17},       // text_strong
-    {1.4, 0, 0, 6, Shape::disc, 15},       // text_current
+    {1.0, 0, 0, 4, Shape::disc, 12},      // grid
+    {1.3, 0, 0, 5, Shape::disc, 12},      // axis
+    {2.8, 0, 0, 7, Shape::disc, 14},      // curve
+    {3.6, 0, 0, 8, Shape::disc, 14},      // curve_result
+    {1.5, 0, 0, 7, Shape::disc, 14},      // polygon
+    {1.5, 0, 0, 9, Shape::disc, 14},      // control_point
+    {1.2, 0, 0, 6, Shape::disc, 13},      // earlier
+    {1.9, 0, 0, 8, Shape::disc, 14},      // level_a
+    {1.9, 7, 4, 7.5, Shape::square, 14},  // level_b
+    {1.9, 2, 4, 8, Shape::triangle, 14},  // level_c
+    {2.6, 0, 0, 13, Shape::ring, 14},     // operand
+    {4.0, 0, 0, 13, Shape::disc, 15},     // current
+    {5.0, 0, 0, 8, Shape::disc, 13},      // ratio_near
+    {2.6, 0, 0, 8, Shape::disc, 13},      // ratio_far
+    {3.4, 0, 0, 14, Shape::diamond, 15},  // result
+    {1.3, 0.1, 4, 8, Shape::cross, 13},   // retired
+    {1.0, 0, 0, 6, Shape::disc, 13},      // surface
+    {1.1, 0, 0, 6, Shape::disc, 13},      // isoline
+    {1.0, 0, 0, 6, Shape::square, 13},    // panel
+    {1.0, 0, 0, 6, Shape::disc, 13},      // rule_line
+    {1.2, 0, 0, 6, Shape::disc, 14},      // text
+    {1.0, 0, 0, 6, Shape::disc, 12.5},    // text_quiet
+    {1.4, 0, 0, 6, Shape::disc, 17},      // text_strong
+    {1.4, 0, 0, 6, Shape::disc, 14},      // text_current
 }};
 
 struct Paint {
@@ -54,10 +54,14 @@ Theme make_theme(std::string name, std::uint32_t background, double width_factor
   Theme theme{std::move(name), rgb(background), {}};
   for (std::size_t i = 0; i < forms.size(); ++i) {
     const Form& form = forms[i];
-    theme.roles[i] = {rgb(paints[i].color),   rgb(paints[i].ink),
-                      form.line_width * width_factor, form.dash,
-                      form.gap,               form.marker_size * std::sqrt(width_factor),
-                      form.shape,             form.text_size * text_factor};
+    theme.roles[i] = {rgb(paints[i].color),
+                      rgb(paints[i].ink),
+                      form.line_width * width_factor,
+                      form.dash,
+                      form.gap,
+                      form.marker_size * std::sqrt(width_factor),
+                      form.shape,
+                      form.text_size * text_factor};
   }
   return theme;
 }
@@ -80,7 +84,7 @@ const std::array<Theme, 3>& themes() {
                    {0xE6EAF0, 0xE6EAF0}, {0x9AA5B4, 0x9AA5B4}, {0xFFFFFF, 0xFFFFFF}, {0xFF9A57, 0xFF9A57}}}),
       // For projectors and tired eyes: black on white, strokes half as wide again, larger letters.
       make_theme("contrast", 0xFFFFFF, 1.5, 1.12,
-                 {{{0xD0D0D0, 0x303030}, {0x505050, 0x303030}, {0x000000, 0x000000}, {0x00694C, 0x005A41},
+                 {{{0xDEDEDE, 0x303030}, {0x505050, 0x303030}, {0x000000, 0x000000}, {0x00694C, 0x005A41},
                    {0x5A5A5A, 0x202020}, {0x000000, 0x000000}, {0x8A8A8A, 0x404040}, {0x0050A0, 0x004486},
                    {0x8A2C6C, 0x7A2460}, {0x3F5A00, 0x364E00}, {0x0050A0, 0x004486}, {0xC23B00, 0x962D00},
                    {0xD98600, 0x6E4300}, {0x1F86C8, 0x0B4A75}, {0xA00043, 0x8C003A}, {0x9A9A9A, 0x404040},
@@ -118,8 +122,8 @@ Checked<const Theme*> find_theme(std::string_view name) {
 const Theme& light_theme() { return themes()[0]; }
 
 double contrast_ratio(Color a, Color b) {
-  const auto [dark, bright] = std::minmax(relative_luminance(a), relative_luminance(b));
-  return (bright + 0.05) / (dark + 0.05);
+  const double la = relative_luminance(a), lb = relative_luminance(b);
+  return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
 }
 
 }  // namespace blossom

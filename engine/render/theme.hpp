@@ -14,13 +14,13 @@
 namespace blossom {
 
 struct RoleStyle {  // lengths in page units
-  Color color;                 // of lines, fills and markers
-  Color ink;                   // of text in this role: contrast at least 4.5:1 on the background and on panels
+  Color color;      // of lines, fills and markers
+  Color ink;        // of text in this role: contrast at least 4.5:1 on the background and on panels
   double line_width = 1;
-  double dash = 0, gap = 0;    // gap 0: solid
-  double marker_size = 8;      // diameter
+  double dash = 0, gap = 0;                          // gap 0: solid
+  double marker_size = 8;                            // diameter
   Marker::Shape marker_shape = Marker::Shape::disc;  // drawn where the scene leaves the shape at `disc`
-  double text_size = 14;       // of the em
+  double text_size = 14;                             // of the em
 };
 
 struct Theme {

@@ -39,6 +39,7 @@ struct RuleInfo {
   ValueKind makes;
   Replay<double> replay_double;
   Replay<Exact> replay_exact;
+  bool (*accepts)(std::span<const ValueKind> operands);  // whether the operands are of its kinds, and as many
 
   template <Scalar S>
   Replay<S> replay() const {
@@ -121,6 +122,34 @@ bool read_operand(std::span<const NumbersView<S>> operands, std::size_t& at, boo
   }
 }
 
+template <class T>
+bool accepts_operand(std::span<const ValueKind> operands, std::size_t& at, bool last) {
+  const auto is_number = [](ValueKind kind) { return kind == ValueKind::integer || kind == ValueKind::scalar; };
+  if constexpr (is_span<T>) {
+    if (last && at < operands.size() && operands[at] != ValueKind::list) {
+      while (at < operands.size() && is_number(operands[at])) ++at;
+      return at == operands.size();
+    }
+    return at < operands.size() && operands[at++] == ValueKind::list;
+  } else {
+    if (at >= operands.size()) return false;
+    const ValueKind kind = operands[at++];
+    if constexpr (std::is_same_v<T, int>) return kind == ValueKind::integer;
+    if constexpr (kind_of<T>() == ValueKind::scalar) return is_number(kind);
+    return kind == ValueKind::point || kind == ValueKind::vector;
+  }
+}
+
+template <class Rule>
+bool accepts(std::span<const ValueKind> operands) {
+  using Operands = typename RuleSignature<Rule, double>::Operands;
+  constexpr std::size_t count = std::tuple_size_v<Operands>;
+  std::size_t at = 0;
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return (accepts_operand<std::tuple_element_t<I, Operands>>(operands, at, I + 1 == count) && ...);
+  }(std::make_index_sequence<count>{}) && at == operands.size();
+}
+
 inline void write_result(int made, Numbers<double>& out) { out.assign(1, made); }
 inline void write_result(int made, Numbers<Exact>& out) { out.assign(1, Exact(made)); }
 template <Scalar S>
@@ -165,6 +194,7 @@ inline constexpr RuleInfo rule_info{Rule::name,
                                     Rule::polar,
                                     detail::rule_makes<Rule>(),
                                     &detail::replay<Rule, double>,
-                                    &detail::replay<Rule, Exact>};
+                                    &detail::replay<Rule, Exact>,
+                                    &detail::accepts<Rule>};
 
 }  // namespace blossom

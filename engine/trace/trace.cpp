@@ -147,7 +147,7 @@ std::vector<PolarLabel<S>> Trace<S>::polar_labels() const {
     }
     if (values_[v].rule->polar == Polar::repeat) {
       label = labels[from[0]].u;
-      if (!label.empty()) label.push_back(label.back());
+      if (!label.empty() && label.size() < max_degree) label.push_back(label.back());
       continue;
     }
     const auto& A = labels[from[1]].u;
@@ -163,6 +163,7 @@ std::vector<PolarLabel<S>> Trace<S>::polar_labels() const {
       std::set_intersection(A.begin(), A.end(), B.begin(), B.end(), std::back_inserter(label));
       label.insert(std::upper_bound(label.begin(), label.end(), u), u);
     }
+    if (label.size() > max_degree) label.clear();  // no algorithm's: a file's
   }
   return labels;
 }

@@ -56,6 +56,7 @@ TEST_CASE("numbers are read as exactly what was typed") {
   CHECK(number("5.") == Exact(5));
   CHECK(number("007") == Exact(7));
   CHECK(number("0010/020").to_string() == "1/2");
+  CHECK(number("-2000000000000000000000/4000000000000000000000") == Exact::ratio(-1, 2));
   CHECK(number("1E2") == Exact(100));
   CHECK(number("12345678901234567890123").to_string() == "12345678901234567890123");
   CHECK(number("1e-400") * number("1e400") == Exact(1));

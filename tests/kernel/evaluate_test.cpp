@@ -30,8 +30,8 @@ void check_point(const std::optional<Point<Exact>>& P, const char* x, const char
 Curve<Exact> quarter_circle() { return plane_curve(2, bezier_knots<Exact>(2), {{1, 0}, {1, 1}, {0, 1, 2}}); }
 
 TEST_CASE("the point of The NURBS Book, example 4.1", "[evaluate]") {
-  const auto curve = plane_curve(2, exact({"0", "0", "0", "1", "2", "3", "3", "3"}),
-                                 {{0, 0}, {1, 1, 4}, {3, 2}, {4, 1}, {5, -1}});
+  const auto curve =
+      plane_curve(2, exact({"0", "0", "0", "1", "2", "3", "3", "3"}), {{0, 0}, {1, 1, 4}, {3, 2}, {4, 1}, {5, -1}});
   CHECK(homogeneous_point(curve, 1) == HPoint<Exact>(q("7/2"), q("3"), q("0"), q("5/2")));
   check_point(point(curve, 1), "7/5", "6/5");
 }
@@ -50,8 +50,7 @@ TEST_CASE("de Boor's weights in Shene's example", "[evaluate]") {
   for (int i = 0; i <= 6; ++i) {
     std::vector<PlanePoint> points(7, {0, 0});
     points[static_cast<std::size_t>(i)].x = 1;
-    const auto curve =
-        plane_curve(3, exact({"0", "0", "0", "0", "1/4", "1/2", "3/4", "1", "1", "1", "1"}), points);
+    const auto curve = plane_curve(3, exact({"0", "0", "0", "0", "1/4", "1/2", "3/4", "1", "1", "1", "1"}), points);
     const auto weights = exact({"0", "2/125", "307/750", "202/375", "9/250", "0", "0"});
     CHECK(point(curve, q("2/5"))->x == weights[static_cast<std::size_t>(i)]);
   }
@@ -105,7 +104,7 @@ TEST_CASE("a curve point is the blossom's diagonal: all degrees, both scalars, k
       CHECK(C == blossom::blossom<Exact>(curve, find_span<Exact>(curve.knots, p, u), diagonal));
       const HPoint<double> D = homogeneous_point(in_double, u.to_double());
       CHECK(distance(D, rounded(C)) < 1e-12);
-      CHECK(D == evaluator.homogeneous_point(u.to_double()));
+      CHECK(distance(evaluator.homogeneous_point(u.to_double()), rounded(C)) < 1e-12);
     }
   }
 }

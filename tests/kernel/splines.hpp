@@ -18,8 +18,8 @@ inline int random_int(std::mt19937& random, int from, int to) {
   return std::uniform_int_distribution<int>(from, to)(random);
 }
 
-// Knots for at least p + 1 control points: `spans` nonempty spans in the domain, interior multiplicities 1..highest, and
-// either clamped ends or p single knots beyond each end.
+// Knots for at least p + 1 control points: `spans` nonempty spans in the domain, interior multiplicities 1..highest,
+// and either clamped ends or p single knots beyond each end.
 inline std::vector<Exact> random_knots(std::mt19937& random, int p, int spans, int highest, bool clamped) {
   Exact u = random_ratio(random, -2, 2, 2);
   std::vector<Exact> U;
@@ -93,8 +93,13 @@ inline Curve<double> rounded(const Curve<Exact>& curve) {
 }
 
 inline Surface<double> rounded(const Surface<Exact>& surface) {
-  return {surface.degree,  {rounded(surface.knots[0]), rounded(surface.knots[1])}, surface.rows, surface.columns,
-          rounded(surface.points), surface.rational, surface.bezier};
+  return {surface.degree,
+          {rounded(surface.knots[0]), rounded(surface.knots[1])},
+          surface.rows,
+          surface.columns,
+          rounded(surface.points),
+          surface.rational,
+          surface.bezier};
 }
 
 // A parameter of the domain [u_p, u_{n+1}], in sixteenths of the way.

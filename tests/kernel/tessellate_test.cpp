@@ -117,8 +117,8 @@ TEST_CASE("a grid names its vertices without a point, and holds no NaN", "[tesse
     evaluate_grid(surface, ends, ends, with_normals, grid);
     CHECK(grid.undefined == std::vector<int>{2});
     CHECK(grid.points[2] == Point<double>(0, 0, 0));
-    for (const auto& P : grid.points) CHECK(detail::is_point(P));
-    for (const auto& N : grid.normals) CHECK(detail::is_point(N));
+    for (const auto& P : grid.points) CHECK(is_finite(P));
+    for (const auto& N : grid.normals) CHECK(is_finite(N));
   }
 }
 

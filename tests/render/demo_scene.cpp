@@ -64,8 +64,13 @@ View plane_view() {
       if (operand) view.markers.push_back({levels[r][i], Role::operand});
       if (current) view.markers.push_back({levels[r][i], Role::current});
       view.labels.push_back(around(point_name("P", std::to_string(i), r == 0 ? "" : "(" + std::to_string(r) + ")"),
-                                   levels[r][i], current ? Role::text_current : operand ? Role::operand : roles[r],
-                                   current ? 10 : operand ? 5 : 0));
+                                   levels[r][i],
+                                   current   ? Role::text_current
+                                   : operand ? Role::operand
+                                             : roles[r],
+                                   current   ? 10
+                                   : operand ? 5
+                                             : 0));
     }
   }
   view.markers.push_back({{6.4, 0.9, 0}, Role::retired});
@@ -78,7 +83,7 @@ View plane_view() {
 }
 
 // A wavy bicubic-like patch with its net.
-View orbit_view(bool translucent) {
+View orbit_view() {
   View view;
   view.x = 584, view.y = 56, view.width = 364, view.height = 420;
   view.camera.kind = Camera::Kind::orbit;
@@ -104,7 +109,6 @@ View orbit_view(bool translucent) {
       }
     }
   }
-  mesh.opacity = translucent ? 0.6 : 1;
   view.meshes.push_back(mesh);
   for (int k = 0; k <= 6; ++k) {
     Polyline along_x{{}, Role::isoline}, along_y{{}, Role::isoline};
@@ -131,7 +135,7 @@ View orbit_view(bool translucent) {
     view.polylines.push_back({{net[i][0], net[i][1], net[i][2], net[i][3]}, Role::polygon});
     view.polylines.push_back({{net[0][i], net[1][i], net[2][i], net[3][i]}, Role::polygon});
   }
-  const glm::dvec3 origin{-1.9, -1.9, -1.2};
+  const glm::dvec3 origin{0.9, -1.9, -1.4};
   for (const glm::dvec3& axis : {glm::dvec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
     Polyline arrow{{origin, origin + 0.8 * axis}, Role::axis};
     arrow.arrow = true;
@@ -185,7 +189,13 @@ Scene demo_scene() {
   Scene scene;
   scene.title = "De Casteljau's algorithm & a patch";
   scene.description = "Step 7 of 10: a point of level 2 is made from two of level 1 <0.6 : 0.4>";
-  scene.views = {text_view(), plane_view(), orbit_view(false)};
+  scene.views = {text_view(), plane_view(), orbit_view()};
+  return scene;
+}
+
+Scene plane_scene() {
+  Scene scene;
+  scene.views = {plane_view()};
   return scene;
 }
 

@@ -8,6 +8,7 @@
 namespace blossom {
 
 Scene demo_scene();
+Scene plane_scene();  // only its plane view
 
 // P with a subscript and a superscript, in italics as the book sets it.
 RichText point_name(std::string letter, std::string sub, std::string super = {});

@@ -1,0 +1,178 @@
+// blossom render: the steps of an algorithm as pictures.
+
+#include <unistd.h>
+
+#include <charconv>
+#include <iostream>
+
+#include "app/input.hpp"
+#include "render/picture.hpp"
+#include "scene/step_scene.hpp"
+
+namespace blossom {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  SubjectOptions subject;
+  int step = -1;
+  bool all = false;
+  bool svg = false;
+  bool exact = false;
+  std::string out = "out";
+  std::string contact_sheet;
+  std::string size = "1120x700";
+  double scale = 1;
+  std::string theme = "light";
+  std::string context = "osmesa";
+};
+
+bool parse_size(const std::string& text, double& width, double& height) {
+  const auto x = text.find('x');
+  if (x == std::string::npos) return false;
+  int w = 0, h = 0;
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), text.data() + x, w);
+  const auto second = std::from_chars(text.data() + x + 1, end, h);
+  if (first.ec != std::errc() || first.ptr != text.data() + x || second.ec != std::errc() || second.ptr != end) return false;
+  width = w;
+  height = h;
+  return w >= 480 && h >= 360 && w <= 8192 && h <= 8192;
+}
+
+// One line that is written over, on a terminal only.
+void progress(std::uint32_t done_steps, std::uint32_t count) {
+  if (isatty(STDERR_FILENO) == 0) return;
+  std::cerr << "\rdrawing " << done_steps << " / " << count << (done_steps == count ? "\n" : "") << std::flush;
+}
+
+std::string file_name(const std::string& stem, std::uint32_t step, std::uint32_t last, const char* extension) {
+  std::string number = std::to_string(step);
+  number.insert(0, std::to_string(last).size() - number.size(), '0');
+  return stem + "-" + number + extension;
+}
+
+template <Scalar S>
+int draw(const Subject& subject, const Options& options, PageOptions page, const Theme& theme) {
+  const auto recorded = record<S>(*subject.algorithm, subject.inputs);
+  if (!recorded) return report(recorded.diagnostics);
+  const Narrator<S> narrator(*recorded);
+  const StepSource source = make_source(narrator);
+  const StepScenes scenes(source);
+  page.title = subject.title();
+  const std::uint32_t last = recorded->trace.step_count() - 1;
+
+  std::vector<std::uint32_t> steps;
+  if (options.step >= 0) {
+    if (static_cast<std::uint32_t>(options.step) > last)
+      return report({{"", 0, 0, "--step", "must be from 0 to " + std::to_string(last) + ", not " + std::to_string(options.step)}});
+    steps.push_back(static_cast<std::uint32_t>(options.step));
+  } else if (options.all || !options.contact_sheet.empty()) {
+    for (std::uint32_t step = 0; step <= last; ++step) steps.push_back(step);
+  } else {
+    steps.push_back(last);
+  }
+
+  std::error_code error;
+  fs::create_directories(options.out, error);
+  const std::string stem = subject.lesson ? subject.lesson->id : std::string(subject.algorithm->id);
+  std::vector<Image> images;
+  std::vector<std::string> captions;
+  const bool each = options.step >= 0 || options.all || options.contact_sheet.empty();
+  std::size_t written = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const std::uint32_t step = steps[i];
+    const Scene scene = scenes.page(step, subject.narration(narrator, step), page);
+    const std::string title = page.title + ", step " + std::to_string(step);
+    Checked<bool> saved = true;
+    if (options.svg) {
+      const auto text = draw_svg(scene, theme);
+      if (!text) return report(text.diagnostics);
+      if (each) saved = write_file(fs::path(options.out) / file_name(stem, step, last, ".svg"), *text);
+    }
+    if (!options.svg || !options.contact_sheet.empty()) {
+      auto image = draw_image(scene, theme, options.scale, options.context);
+      if (!image) {
+        report(image.diagnostics);
+        return machine_at_fault;
+      }
+      if (each && !options.svg)
+        saved = write_png(fs::path(options.out) / file_name(stem, step, last, ".png"), *image, title, scene.description);
+      if (!options.contact_sheet.empty()) {
+        images.push_back(std::move(*image));
+        captions.push_back("step " + std::to_string(step));
+      }
+    }
+    if (!saved) {
+      report(saved.diagnostics);
+      return machine_at_fault;
+    }
+    written += each ? 1 : 0;
+    if (steps.size() > 1) progress(static_cast<std::uint32_t>(i) + 1, static_cast<std::uint32_t>(steps.size()));
+  }
+  if (!options.contact_sheet.empty()) {
+    const auto fonts = Fonts::load();
+    if (!fonts) {
+      report(fonts.diagnostics);
+      return machine_at_fault;
+    }
+    const int columns = images.size() < 5 ? 2 : (images.size() < 17 ? 3 : 4);
+    const auto saved = write_png(options.contact_sheet, contact_sheet(**fonts, theme, images, captions, columns, 560), page.title + ": all steps");
+    if (!saved) {
+      report(saved.diagnostics);
+      return machine_at_fault;
+    }
+  }
+  if (written > 0) std::cout << written << (written == 1 ? " picture" : " pictures") << " in " << options.out << "\n";
+  if (!options.contact_sheet.empty()) std::cout << "contact sheet: " << options.contact_sheet << "\n";
+  return done;
+}
+
+int run(const Options& options) {
+  PageOptions page;
+  Diagnostics mistakes;
+  if (!parse_size(options.size, page.width, page.height))
+    mistakes.push_back({"", 0, 0, "--size", "must be WIDTHxHEIGHT from 480x360 to 8192x8192, not " + excerpt(options.size)});
+  const auto theme = find_theme(options.theme);
+  mistakes.insert(mistakes.end(), theme.diagnostics.begin(), theme.diagnostics.end());
+  if (!mistakes.empty()) return report(mistakes);
+  const auto subject = load_subject(options.subject);
+  if (!subject) return report(subject.diagnostics);
+  return options.exact ? draw<Exact>(*subject, options, page, **theme) : draw<double>(*subject, options, page, **theme);
+}
+
+void set_up(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  add_subject_options(app, options->subject);
+  app.add_option("--step", options->step, "Only this step (from 0; by default the last one)")->check(CLI::NonNegativeNumber);
+  app.add_flag("--all", options->all, "Every step, one file each");
+  app.add_option("--contact-sheet", options->contact_sheet, "All steps small in one PNG file");
+  app.add_flag("--svg", options->svg, "SVG files instead of PNG");
+  app.add_flag("--exact", options->exact, "Compute and label in exact fractions");
+  app.add_option("--out", options->out, "The folder for the pictures")->capture_default_str();
+  app.add_option("--size", options->size, "Width and height of the page")->capture_default_str();
+  app.add_option("--scale", options->scale, "Pixels for each unit of the page: 2 for high-resolution screens")
+      ->check(CLI::Range(0.25, 8.0))
+      ->capture_default_str();
+  app.add_option("--theme", options->theme, "light, dark or contrast")->capture_default_str();
+  app.add_option("--context", options->context, "How OpenGL is reached without a display: osmesa or egl")
+      ->check(CLI::IsMember({"osmesa", "egl"}))
+      ->capture_default_str();
+  app.footer(
+      "Examples:\n"
+      "  blossom render 04-de-boor --step 6 --exact\n"
+      "  blossom render 04-de-boor --all --out pictures --theme dark\n"
+      "  blossom render 04-de-boor --contact-sheet sheet.png\n"
+      "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine.");
+  app.callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace
+
+const Command& command_render() {
+  static const Command command{"render", "Draw the steps of an algorithm: PNG, SVG, a contact sheet", 30, set_up};
+  return command;
+}
+
+}  // namespace blossom

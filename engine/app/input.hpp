@@ -1,0 +1,41 @@
+#pragma once
+// What the commands read: a lesson by file or by name, or an algorithm with a file of inputs.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/command.hpp"
+#include "lesson/lesson.hpp"
+
+namespace blossom {
+
+// The options LESSON, --algorithm and --inputs that trace, render and play share.
+struct SubjectOptions {
+  std::string lesson;
+  std::string algorithm;
+  std::string inputs;
+};
+void add_subject_options(CLI::App&, SubjectOptions&);
+
+struct Subject {
+  const Algorithm* algorithm = nullptr;
+  Inputs<Exact> inputs;
+  std::optional<Lesson> lesson;
+
+  std::string title() const { return lesson ? lesson->title : std::string(algorithm->title); }
+  // The narration of a step: the lesson's, where it has something to say.
+  template <Scalar S>
+  std::string narration(const Narrator<S>& narrator, std::uint32_t step) const {
+    return lesson ? lesson->narration(narrator, step) : narrator.text(step);
+  }
+};
+Checked<Subject> load_subject(const SubjectOptions&);
+
+// The folder of a kind of files ("lessons", "exercises"): in the working folder or the nearest one around the program.
+std::filesystem::path find_folder(const std::string& name);
+
+// Prints diagnostics to standard error; the exit status for them.
+int report(const Diagnostics&);
+
+}  // namespace blossom

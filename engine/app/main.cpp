@@ -1,0 +1,42 @@
+// `blossom`: trace, draw, check and step through the algorithms of curves and surfaces.
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+
+#include "app/command.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Blossom steps through the algorithms of curves and surfaces: every value, where it comes from, and why.\n"
+      "Start with `blossom list`, then `blossom trace 01-de-casteljau` and `blossom play 01-de-casteljau`.",
+      "blossom");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", BLOSSOM_VERSION);
+  app.failure_message(CLI::FailureMessage::help);
+  app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
+    return "blossom: " + std::string(error.what()) + "\nTry `" + (failed->get_parent() != nullptr ? "blossom " : "") +
+           failed->get_name() + " --help`.\n";
+  });
+
+  int status = blossom::done;
+  auto ordered = blossom::commands();
+  std::ranges::sort(ordered, {}, [](const blossom::Command* c) { return std::pair(c->order, c->name); });
+  for (const blossom::Command* command : ordered) {
+    CLI::App* sub = app.add_subcommand(std::string(command->name), std::string(command->summary));
+    command->set_up(*sub, status);
+  }
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? blossom::done : blossom::wrong_usage;
+  } catch (const std::exception& error) {  // out of memory, out of threads: the machine, not the input
+    std::cerr << "blossom: " << error.what() << "\n";
+    return blossom::machine_at_fault;
+  }
+  std::cout.flush();
+  if (!std::cout) return blossom::machine_at_fault;
+  return status;
+}

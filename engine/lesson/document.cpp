@@ -1,0 +1,93 @@
+#include "lesson/document.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace blossom {
+
+bool expect_schema(const Cursor& root, std::string_view expected) {
+  const auto at = root.required("schema");
+  if (!at) return false;
+  const auto schema = at->string();
+  if (!schema) return false;
+  if (*schema == expected) return true;
+  const std::string_view kind = expected.substr(0, expected.find('/') + 1);
+  at->error("must be " + excerpt(expected) + ", not " + excerpt(*schema) +
+            (schema->starts_with(kind) ? "; this program does not know that version" : ""));
+  return false;
+}
+
+std::optional<std::string> read_text(const Cursor& at) {
+  auto text = at.string();
+  if (!text) return std::nullopt;
+  if (text->find_first_not_of(" \t\r\n") == std::string::npos) {
+    at.error("must not be empty");
+    return std::nullopt;
+  }
+  return text;
+}
+
+std::optional<std::string> read_id(const Cursor& at) {
+  auto id = at.string();
+  if (!id) return std::nullopt;
+  const auto allowed = [](char c) { return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '-' || c == '_'; };
+  if (!id->empty() && id->size() <= 64 && std::all_of(id->begin(), id->end(), allowed)) return id;
+  at.error("must be 1 to 64 lower-case letters, digits, hyphens and underscores, not " + excerpt(*id));
+  return std::nullopt;
+}
+
+const Algorithm* read_algorithm(const Cursor& root) {
+  const auto at = root.required("algorithm");
+  if (!at) return nullptr;
+  const auto id = at->string();
+  if (!id) return nullptr;
+  if (const Algorithm* algorithm = find_algorithm(*id)) return algorithm;
+  const auto ids = algorithm_ids();
+  std::string message = "there is no algorithm " + excerpt(*id);
+  if (const auto near = did_you_mean(*id, ids)) {
+    message += "; did you mean " + excerpt(*near) + "?";
+  } else {
+    message += "; the algorithms are";
+    for (std::size_t i = 0; i < ids.size(); ++i) message += (i == 0 ? " " : ", ") + ids[i];
+  }
+  at->error(message);
+  return nullptr;
+}
+
+namespace {
+
+// The place of a path such as profiles[2] below `at`: as much of it as the file has (an input may be left out).
+Cursor locate(Cursor at, std::string_view path) {
+  while (!path.empty()) {
+    if (path[0] == '[') {
+      const std::size_t end = std::min(path.find(']'), path.size() - 1);
+      std::size_t index = 0;
+      std::from_chars(path.data() + 1, path.data() + end, index);
+      if (!at.is(Json::Kind::array) || index >= at.size()) return at;
+      at = at[index];
+      path.remove_prefix(end + 1);
+    } else {
+      if (path[0] == '.') path.remove_prefix(1);
+      const std::size_t end = std::min(path.find_first_of(".["), path.size());
+      const auto member = at.is(Json::Kind::object) ? at.optional(path.substr(0, end)) : std::nullopt;
+      if (!member) return at;
+      at = *member;
+      path.remove_prefix(end);
+    }
+  }
+  return at;
+}
+
+}  // namespace
+
+std::optional<Run<Exact>> read_run(const Cursor& root, const Algorithm& algorithm) {
+  const auto at = root.required("inputs");
+  if (!at) return std::nullopt;
+  const auto inputs = read_inputs(algorithm, *at);
+  if (!inputs) return std::nullopt;
+  auto run = record<Exact>(algorithm, *inputs);
+  for (const auto& diagnostic : run.diagnostics) locate(root, diagnostic.path).error(diagnostic.message);
+  return std::move(run.value);
+}
+
+}  // namespace blossom

@@ -1,0 +1,50 @@
+#include "lesson/file_kind.hpp"
+
+#include <array>
+#include <utility>
+
+namespace blossom {
+namespace {
+
+constexpr std::array<std::pair<FileKind, std::string_view>, 8> names{{{FileKind::lesson, "lesson"},
+                                                                      {FileKind::exercise, "exercise"},
+                                                                      {FileKind::answers, "answers"},
+                                                                      {FileKind::grade, "grade"},
+                                                                      {FileKind::trace, "trace"},
+                                                                      {FileKind::curve, "curve"},
+                                                                      {FileKind::surface, "surface"},
+                                                                      {FileKind::unknown, "unknown"}}};
+
+FileKind kind_of_schema(std::string_view schema) {
+  constexpr std::string_view prefix = "blossom.";
+  if (!schema.starts_with(prefix)) return FileKind::unknown;
+  schema.remove_prefix(prefix.size());
+  const std::string_view name = schema.substr(0, schema.find('/'));
+  for (const auto kind : {FileKind::lesson, FileKind::exercise, FileKind::answers, FileKind::grade, FileKind::trace})
+    if (name == file_kind_name(kind)) return kind;
+  return FileKind::unknown;
+}
+
+}  // namespace
+
+std::string_view file_kind_name(FileKind kind) {
+  for (const auto& [each, name] : names)
+    if (each == kind) return name;
+  return {};
+}
+
+FileKind file_kind(const Json& root) {
+  if (root.kind != Json::Kind::object) return FileKind::unknown;
+  if (const Json* schema = root.find("schema"); schema != nullptr && schema->kind == Json::Kind::string)
+    if (const FileKind kind = kind_of_schema(schema->text); kind != FileKind::unknown) return kind;
+  if (root.find("beats") != nullptr) return FileKind::lesson;
+  if (root.find("ask") != nullptr) return FileKind::exercise;
+  if (root.find("answers") != nullptr) return FileKind::answers;
+  if (root.find("parts") != nullptr) return FileKind::grade;
+  if (root.find("steps") != nullptr && root.find("values") != nullptr) return FileKind::trace;
+  const Json* degree = root.find("degree");
+  if (degree == nullptr && root.find("points") == nullptr) return FileKind::unknown;
+  return degree != nullptr && degree->kind == Json::Kind::array ? FileKind::surface : FileKind::curve;
+}
+
+}  // namespace blossom

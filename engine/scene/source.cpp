@@ -1,0 +1,68 @@
+#include "scene/source.hpp"
+
+#include <cmath>
+
+namespace blossom {
+
+const ValueSpec* StepSource::spec(ValueId v) const {
+  const Name& name = graph->value(v).name;
+  const ValueSpec* found = algorithm_at(graph->value(v).step).spec(name);
+  return found != nullptr ? found : algorithm->spec(name);
+}
+
+namespace {
+
+Curve<double> in_double(const Curve<double>& curve) { return curve; }
+Curve<double> in_double(const Curve<Exact>& curve) { return convert<double>(curve); }
+Surface<double> in_double(const Surface<double>& surface) { return surface; }
+Surface<double> in_double(const Surface<Exact>& surface) { return convert<double>(surface); }
+template <Scalar S>
+HPoint<double> in_double(const HPoint<S>& point) {
+  return {to_double(point.x), to_double(point.y), to_double(point.z), to_double(point.w)};
+}
+
+}  // namespace
+
+template <Scalar S>
+StepSource make_source(const Narrator<S>& narrator) {
+  const Run<S>& run = narrator.run();
+  StepSource source;
+  source.graph = &run.trace;
+  source.algorithm = run.algorithm;
+  source.dimension = run.trace.dimension;
+  for (const auto& [name, value] : run.inputs.values) {
+    if (const auto* c = std::get_if<Curve<S>>(&value)) source.curves.push_back(in_double(*c));
+    if (const auto* cs = std::get_if<std::vector<Curve<S>>>(&value))
+      for (const auto& c : *cs) source.curves.push_back(in_double(c));
+    if (const auto* u = std::get_if<S>(&value); u != nullptr && name == "u") source.parameter = to_double(*u);
+  }
+  std::visit([&](const auto& outcome) { source.outcome = in_double(outcome); }, run.outcome);
+
+  const ValueId count = run.trace.value_count();
+  source.points.resize(count);
+  source.scalars.resize(count);
+  for (ValueId v = 0; v < count; ++v) {
+    const auto numbers = run.trace.numbers(v);
+    const ValueKind kind = run.trace.value(v).kind;
+    if (kind == ValueKind::scalar || kind == ValueKind::integer) source.scalars[v] = to_double(numbers[0]);
+    if (kind != ValueKind::point) continue;
+    const double w = run.trace.rational ? to_double(numbers[3]) : 1;
+    const glm::dvec3 at{to_double(numbers[0]) / w, to_double(numbers[1]) / w, to_double(numbers[2]) / w};
+    if (std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z)) source.points[v] = at;
+  }
+
+  const Narrator<S>* n = &narrator;
+  source.algorithm_at = [n](std::uint32_t step) -> const Algorithm& { return n->algorithm_at(step); };
+  source.line = [n](std::uint32_t step) { return n->line(step); };
+  source.value_text = [n](ValueId v) { return n->value_text(v); };
+  source.formula = [n](ValueId v) { return n->formula(v); };
+  source.numbers = [n](ValueId v) { return n->numbers(v); };
+  source.polar = [n](ValueId v) { return n->polar(v); };
+  source.phase_title = [n](std::uint32_t phase) { return n->phase_title(phase); };
+  return source;
+}
+
+template StepSource make_source(const Narrator<double>&);
+template StepSource make_source(const Narrator<Exact>&);
+
+}  // namespace blossom

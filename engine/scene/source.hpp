@@ -1,0 +1,38 @@
+#pragma once
+// A recorded run, made ready to be drawn: everything that pictures need of it, in double, whatever the run's scalar.
+
+#include <functional>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "algorithms/narrate.hpp"
+
+namespace blossom {
+
+struct StepSource {
+  const TraceGraph* graph = nullptr;
+  const Algorithm* algorithm = nullptr;
+  int dimension = 2;
+  std::vector<Curve<double>> curves;              // of the inputs, in the order of the inputs' names
+  std::optional<double> parameter;                // the input u, if there is one
+  std::vector<std::optional<glm::dvec3>> points;  // of each value that is a point of its own and finite
+  std::vector<double> scalars;                    // of each value that is a number, else 0
+  Outcome<double> outcome;
+
+  // Text, from the narrator of the run's own scalar; valid as long as that narrator.
+  std::function<const Algorithm&(std::uint32_t step)> algorithm_at;
+  std::function<int(std::uint32_t step)> line;
+  std::function<std::string(ValueId)> value_text, formula, numbers, polar;
+  std::function<std::string(std::uint32_t phase)> phase_title;
+
+  bool spatial() const { return dimension == 3; }
+  const ValueSpec* spec(ValueId) const;  // of the algorithm around it or the whole one; nullptr if neither knows it
+};
+
+template <Scalar S>
+StepSource make_source(const Narrator<S>&);
+
+}  // namespace blossom

@@ -1,0 +1,160 @@
+#include "grader/answers.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace blossom {
+namespace {
+
+constexpr std::size_t most_notes = 10;
+
+const std::string* string_at(const Json& object, std::string_view key) {
+  const Json* found = object.find(key);
+  return found != nullptr && found->kind == Json::Kind::string ? &found->text : nullptr;
+}
+
+bool is_number(const Json& json) { return json.kind == Json::Kind::number || json.kind == Json::Kind::string; }
+
+// The array of a part that takes one, whether or not it says that it is a set.
+const Json* array_of(const Part& part, const Json& json) {
+  if (json.kind == Json::Kind::array) return &json;
+  if (!part.as_set || json.kind != Json::Kind::object || json.keys.size() != 1) return nullptr;
+  const Json* set = json.find("set");
+  return set != nullptr && set->kind == Json::Kind::array ? set : nullptr;
+}
+
+std::string expected_shape(const Part& part) {
+  if (part.kind == ValueKind::integer) return "must be a whole number such as 3";
+  if (part.is_single()) return "must be a number such as 0.4 or \"2/5\"";
+  if (part.as_set) return "must be a set of numbers such as {\"set\": [0, \"1/2\", 1]}";
+  if (part.kind == ValueKind::list) return "must be an array of numbers such as [0, \"1/2\", 1]";
+  const std::string example = part.size() == 2 ? "[1, \"2/5\"]" : part.size() == 3 ? "[1, \"2/5\", 0]" : "[1, \"2/5\", 0, 1]";
+  return "must be an array of " + std::to_string(part.size()) + " numbers such as " + example +
+         (part.form == Form::homogeneous ? ", the weight last" : "");
+}
+
+std::string kind_of(const Json& json) {
+  switch (json.kind) {
+    case Json::Kind::null: return "null";
+    case Json::Kind::boolean: return json.boolean ? "true" : "false";
+    case Json::Kind::number: return "the number " + (json.text.size() <= 40 ? json.text : json.text.substr(0, 40) + "...");
+    case Json::Kind::string: return "the text " + excerpt(json.text);
+    case Json::Kind::array: return "an array of " + std::to_string(json.items.size());
+    case Json::Kind::object: return "an object";
+  }
+  return {};
+}
+
+std::string unknown_name(const Exercise& exercise, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Part& part : exercise.parts) names.push_back(part.name);
+  const auto near = did_you_mean(name, names);
+  return excerpt(name) + " is not asked and was ignored" + (near ? "; did you mean " + excerpt(*near) + "?" : "");
+}
+
+}  // namespace
+
+Answers match_answers(const Exercise& exercise, const Checked<JsonDocument>& document) {
+  Answers answers;
+  const auto invalid = [&](std::string reason) {
+    answers.reason = std::move(reason);
+    return answers;
+  };
+  if (!document) {
+    if (document.diagnostics.empty()) return invalid("cannot be read");
+    Diagnostic first = document.diagnostics.front();
+    first.file.clear();  // the author knows it, and it is a path of another machine
+    return invalid(to_string(first));
+  }
+  const Json& root = document->root();
+  if (root.kind != Json::Kind::object)
+    return invalid("must be an object {\"schema\", \"exercise\", \"answers\"}, not " + kind_of(root));
+  const std::string* schema = string_at(root, "schema");
+  if (schema == nullptr || *schema != "blossom.answers/1")
+    return invalid("\"schema\" must be \"blossom.answers/1\"" + (schema != nullptr ? ", not " + excerpt(*schema) : std::string()));
+  const std::string* id = string_at(root, "exercise");
+  if (id == nullptr || *id != exercise.id)
+    return invalid("\"exercise\" must be " + excerpt(exercise.id) + (id != nullptr ? ", not " + excerpt(*id) : std::string()));
+  const Json* given = root.find("answers");
+  if (given == nullptr || given->kind != Json::Kind::object)
+    return invalid("\"answers\" must be an object of names and values such as {\"k\": 4}");
+
+  answers.part.assign(exercise.parts.size(), nullptr);
+  std::size_t ignored = 0;
+  const auto ignore = [&](auto&& note) {
+    if (++ignored <= most_notes) answers.notes.push_back(note());
+  };
+  for (const std::string& key : root.keys)
+    if (key != "schema" && key != "exercise" && key != "answers" && key != "$schema")
+      ignore([&] { return "unknown key " + excerpt(key) + " was ignored"; });
+  for (std::size_t i = 0; i < given->keys.size(); ++i) {
+    if (const auto part = exercise.part(given->keys[i]))
+      answers.part[*part] = &given->items[i];
+    else
+      ignore([&] { return unknown_name(exercise, given->keys[i]); });
+  }
+  if (ignored > most_notes) answers.notes.push_back(std::to_string(ignored - most_notes) + " more were ignored");
+  return answers;
+}
+
+Typed read_typed(const Part& part, const Json& json) {
+  Typed typed;
+  const auto take = [&](const Json& number) {
+    auto value = is_number(number) ? parse_typed(number.text) : std::nullopt;
+    if (!value) {
+      typed.problem = kind_of(number) + (is_number(number) ? " is no number of at most 400 characters, such as 0.4 or \"2/5\""
+                                                           : " stands where a number must be");
+      return false;
+    }
+    typed.texts.push_back(number.text);
+    typed.numbers.push_back(std::move(*value));
+    return true;
+  };
+  if (part.is_single()) {
+    if (is_number(json))
+      take(json);
+    else
+      typed.problem = expected_shape(part) + ", not " + kind_of(json);
+    return typed;
+  }
+  const Json* array = array_of(part, json);
+  if (array == nullptr || (part.size() != 0 && array->items.size() != part.size())) {
+    typed.problem = expected_shape(part) + ", not " + kind_of(json);
+    return typed;
+  }
+  for (const Json& item : array->items)
+    if (!take(item)) return typed;
+  if (part.as_set) {
+    std::vector<std::size_t> order(typed.numbers.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return typed.numbers[a] < typed.numbers[b]; });
+    Typed sorted;
+    for (const std::size_t i : order) {
+      sorted.texts.push_back(typed.texts[i]);
+      sorted.numbers.push_back(std::move(typed.numbers[i]));
+    }
+    return sorted;
+  }
+  return typed;
+}
+
+Match match(const Part& part, const Json& json) {
+  const auto fits = [](const Window& window, const Json& number) {
+    return is_number(number) && fit(window, number.text) == Fit::inside;
+  };
+  if (part.is_single()) return fits(part.windows[0], json) ? Match::right : Match::different;
+  const Json* array = array_of(part, json);
+  if (array == nullptr || array->items.size() != part.windows.size()) return Match::different;
+  if (part.as_set) {
+    const Typed typed = read_typed(part, json);
+    if (!typed.problem.empty()) return Match::different;
+    for (std::size_t i = 0; i < part.windows.size(); ++i)
+      if (fit(part.windows[i], typed.texts[i]) != Fit::inside) return Match::different;
+    return Match::right;
+  }
+  for (std::size_t i = 0; i < part.windows.size(); ++i)
+    if (!fits(part.windows[i], array->items[i])) return Match::different;
+  return Match::right;
+}
+
+}  // namespace blossom

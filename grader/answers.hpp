@@ -1,0 +1,37 @@
+#pragma once
+// What somebody handed in: {"schema": "blossom.answers/1", "exercise": id, "answers": {name: value, ...}}. A value is
+//   a number                       3, -0.5, or as text "2/5", "0.4"
+//   a point                        an array of its coordinates
+//   a knot vector                  an array of any length
+//   a set                          {"set": [...]}, or an array, where the exercise takes a list in any order
+// Nothing in it is trusted: see base/json.hpp for what a document may be, and submission_limits for its size.
+
+#include <string>
+#include <vector>
+
+#include "grader/exercise.hpp"
+
+namespace blossom {
+
+struct Answers {
+  std::string reason;             // not empty: the whole is invalid, and why
+  std::vector<const Json*> part;  // of each part of the exercise; nullptr: no answer. Points into the document.
+  std::vector<std::string> notes;  // what was ignored
+};
+
+// Matches a document's answers with the parts they are for. The reason or the notes are for its author.
+Answers match_answers(const Exercise&, const Checked<JsonDocument>&);
+
+// A part's answer with its numbers. `problem` is not empty when it has not the part's shape, and says what would be right.
+struct Typed {
+  std::vector<std::string_view> texts;  // as typed; of a set, in ascending order
+  Numbers<Exact> numbers;
+  std::string problem;
+};
+Typed read_typed(const Part&, const Json&);
+
+// Whether it is right, in the fast way: nothing is allocated. `different` also stands for a wrong shape.
+enum class Match : std::uint8_t { right, different };
+Match match(const Part&, const Json&);
+
+}  // namespace blossom

@@ -1,0 +1,139 @@
+#include "grader/carry.hpp"
+
+#include <cmath>
+
+namespace blossom {
+
+ReplayPlan::ReplayPlan(const Exercise& exercise) {
+  const auto& trace = exercise.run.trace;
+  part_of.assign(trace.value_count(), not_asked);
+  std::vector<char> needed(trace.value_count(), 0);
+  for (std::size_t i = 0; i < exercise.parts.size(); ++i) {
+    part_of[exercise.parts[i].value] = static_cast<std::int32_t>(i);
+    needed[exercise.parts[i].value] = 1;
+  }
+  for (ValueId v = trace.value_count(); v-- > 0;) {
+    if (needed[v] == 0 || trace.is_input(v)) continue;
+    order.push_back(v);
+    for (const ValueId o : trace.operands(v)) needed[o] = 1;
+  }
+  std::ranges::reverse(order);
+}
+
+Replayed::Replayed(const Exercise& exercise, const ReplayPlan& plan) : exercise_(&exercise), plan_(&plan) {
+  const auto& trace = exercise.run.trace;
+  const std::size_t count = trace.value_count();
+  own_.reserve(count);
+  for (ValueId v = 0; v < count; ++v) own_.push_back(trace.numbers(v));
+  expected_ = own_;
+  changed_.assign(count, 0);
+  trivial_.assign(count, 0);
+  given_.assign(count, 0);
+  made_.resize(count);
+}
+
+void Replayed::start() {
+  const auto& trace = exercise_->run.trace;
+  for (const ValueId v : plan_->order) {
+    own_[v] = expected_[v] = trace.numbers(v);
+    changed_[v] = trivial_[v] = given_[v] = 0;
+    made_[v].rounding.clear();
+    made_[v].expected_rounding.clear();
+  }
+}
+
+bool Replayed::operands_changed(ValueId v) const {
+  return std::ranges::any_of(exercise_->run.trace.operands(v), [&](ValueId o) { return changed_[o] != 0; });
+}
+
+bool Replayed::make(ValueId v, Numbers<Exact>& made) {
+  const auto& trace = exercise_->run.trace;
+  operands_.clear();
+  for (const ValueId o : trace.operands(v)) {
+    if (own_[o].empty()) return false;
+    operands_.push_back(own_[o]);
+  }
+  return trace.value(v).rule->replay<Exact>()(operands_, made);
+}
+
+void Replayed::put_in(ValueId v, const Part& part, const Given& given) {
+  const auto right = exercise_->run.trace.numbers(v);
+  Made& made = made_[v];
+  const auto model = expected_[v].empty() ? right : expected_[v];
+  made.own = part.as_traced(given.numbers, model);
+  if (made.own.empty()) return;
+  own_[v] = made.own;
+  changed_[v] = std::ranges::equal(made.own, right) ? 0 : 1;
+  if (given.rounding.empty() || part.form == Form::weight) return;
+  made.rounding = given.rounding;
+  made.rounding.resize(made.own.size(), 0);
+  const bool weighted = part.rational && part.form == Form::affine && made.own.size() == 4;
+  if (weighted)
+    for (double& r : made.rounding) r *= std::abs(made.own[3].to_double());
+}
+
+bool Replayed::is_trivial(ValueId v, NumbersView<Exact> result) const {
+  const auto& trace = exercise_->run.trace;
+  const auto is_zero = [&](NumbersView<Exact> numbers, ValueKind kind) {
+    // A weight does not make a point at the origin another point.
+    const std::size_t count = kind == ValueKind::point ? numbers.size() - 1 : numbers.size();
+    return std::ranges::all_of(numbers.first(count), [](const Exact& x) { return x == Exact(0); });
+  };
+  const ValueKind kind = trace.value(v).kind;
+  if (result.empty() || kind == ValueKind::integer || kind == ValueKind::list) return false;
+  std::size_t count = 0;
+  bool all_zero = true, all_equal = true, all_inherit = true;
+  for (const ValueId o : trace.operands(v)) {
+    if (trace.value(o).kind != kind) continue;
+    ++count;
+    if (own_[o].empty()) return false;
+    all_zero = all_zero && is_zero(own_[o], kind);
+    all_equal = all_equal && std::ranges::equal(own_[o], result);
+    all_inherit = all_inherit && given_[o] == 0 && trivial_[o] != 0;
+  }
+  if (count == 0) return false;
+  return (all_zero && is_zero(result, kind)) || (count > 1 && all_equal) || all_inherit;
+}
+
+std::vector<double> Replayed::rounding_through_rule(ValueId v) const {
+  const auto& trace = exercise_->run.trace;
+  const auto from = trace.operands(v);
+  if (expected_[v].empty() || std::ranges::none_of(from, [&](ValueId o) { return !made_[o].rounding.empty(); })) return {};
+  std::vector<Numbers<double>> operands;
+  for (const ValueId o : from) {
+    auto& numbers = operands.emplace_back();
+    for (const Exact& x : own_[o]) numbers.push_back(x.to_double());
+  }
+  const auto apply = [&](Numbers<double>& result) {
+    const std::vector<NumbersView<double>> views(operands.begin(), operands.end());
+    return trace.value(v).rule->replay<double>()(views, result);
+  };
+  Numbers<double> centre, moved;
+  if (!apply(centre)) return {};
+  std::vector<double> rounding(centre.size(), 0);
+  for (std::size_t o = 0; o < operands.size(); ++o) {
+    const auto& radius = made_[from[o]].rounding;
+    for (std::size_t i = 0; i < radius.size() && i < operands[o].size(); ++i) {
+      if (radius[i] == 0) continue;
+      const double before = operands[o][i];
+      operands[o][i] = before + radius[i];
+      if (apply(moved) && moved.size() == centre.size())
+        for (std::size_t n = 0; n < centre.size(); ++n) rounding[n] += std::abs(moved[n] - centre[n]);
+      operands[o][i] = before;
+    }
+  }
+  return rounding;
+}
+
+std::vector<double> Replayed::widening(const Part& part) const {
+  const auto& rounding = made_[part.value].expected_rounding;
+  if (rounding.empty() || part.tolerance.kind == Tolerance::Kind::exact || part.form == Form::weight) return {};
+  std::vector<double> wide(rounding.begin(), rounding.begin() + static_cast<std::ptrdiff_t>(std::min(rounding.size(), part.right.size())));
+  if (part.kind == ValueKind::point && part.rational && part.form == Form::affine) {
+    const double w = std::abs(expected_[part.value][3].to_double());
+    for (double& r : wide) r = w > 0 ? r / w : 0;
+  }
+  return wide;
+}
+
+}  // namespace blossom

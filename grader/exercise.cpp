@@ -1,0 +1,324 @@
+#include "grader/exercise.hpp"
+
+#include <algorithm>
+
+#include "algorithms/narrate.hpp"
+#include "algorithms/selector.hpp"
+
+namespace blossom {
+namespace {
+
+constexpr std::size_t most_parts = 2000;  // of an exercise; a submission has at most 4096 values
+constexpr std::size_t longest_formula = 300;
+
+// One of several words, named with all of them when it is none.
+template <class T>
+std::optional<T> one_of(const Cursor& at, const std::vector<std::pair<std::string, T>>& words) {
+  const auto text = at.string();
+  if (!text) return std::nullopt;
+  std::vector<std::string> known;
+  std::string message = "must be one of";
+  for (const auto& [word, value] : words) {
+    if (word == *text) return value;
+    message += (known.empty() ? " " : ", ") + json_quote(word);
+    known.push_back(word);
+  }
+  const auto near = did_you_mean(*text, known);
+  at.error(message + ", not " + excerpt(*text) + (near ? "; did you mean " + json_quote(*near) + "?" : ""));
+  return std::nullopt;
+}
+
+std::optional<Exact> number_in(const Cursor& at, const Exact& at_least, const std::optional<Exact>& at_most,
+                               const std::string& rule) {
+  auto number = at.number();
+  if (!number) return std::nullopt;
+  if (*number < at_least || (at_most && *at_most < *number)) {
+    at.error(rule + ", not " + excerpt(at.json().text));
+    return std::nullopt;
+  }
+  return number;
+}
+
+std::optional<Exact> share(const Cursor& at) { return number_in(at, Exact(0), Exact(1), "must be a share from 0 to 1"); }
+
+std::optional<Tolerance> read_tolerance(const Cursor& at) {
+  constexpr int most_digits = 15;
+  Tolerance tolerance;
+  if (at.is(Json::Kind::string)) {
+    if (one_of<int>(at, {{"exact", 0}})) return tolerance;
+    return std::nullopt;
+  }
+  const std::vector<std::string> kinds{"decimals", "significant", "absolute", "relative"};
+  if (!at.is(Json::Kind::object) || at.size() != 1) {
+    at.error("must be \"exact\" or one of {\"decimals\": n}, {\"significant\": n}, {\"absolute\": x}, {\"relative\": x}");
+    return std::nullopt;
+  }
+  if (!at.expect_object(kinds)) return std::nullopt;
+  if (const auto digits = at.optional("decimals")) {
+    const auto n = digits->integer(0, most_digits);
+    if (!n) return std::nullopt;
+    return Tolerance{Tolerance::Kind::decimals, *n, 0};
+  }
+  if (const auto digits = at.optional("significant")) {
+    const auto n = digits->integer(1, most_digits);
+    if (!n) return std::nullopt;
+    return Tolerance{Tolerance::Kind::significant, *n, 0};
+  }
+  if (const auto amount = at.optional("absolute")) {
+    auto x = number_in(*amount, Exact(0), std::nullopt, "must not be negative");
+    if (!x) return std::nullopt;
+    return Tolerance{Tolerance::Kind::absolute, 0, std::move(*x)};
+  }
+  if (const auto amount = at.optional("relative")) {
+    auto x = number_in(*amount, Exact(0), Exact(1), "must be from 0 to 1");
+    if (!x) return std::nullopt;
+    return Tolerance{Tolerance::Kind::relative, 0, std::move(*x)};
+  }
+  return std::nullopt;
+}
+
+bool is_id(std::string_view text) {
+  return !text.empty() && text.size() <= 64 &&
+         std::ranges::all_of(text, [](char c) { return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '-'; });
+}
+
+class ExerciseReader {
+ public:
+  explicit ExerciseReader(const Cursor& root) : root_(root) {}
+
+  void read() {
+    if (!root_.expect_object({"$schema", "schema", "id", "title", "prompt", "algorithm", "inputs", "ask", "tolerance",
+                              "carried", "partial", "feedback", "source", "unit"}))
+      return;
+    if (const auto at = root_.required("schema")) one_of<int>(*at, {{"blossom.exercise/1", 0}});
+    if (const auto at = root_.required("id")) {
+      const auto id = at->string();
+      if (id && !is_id(*id)) at->error("must be 1 to 64 of a-z, 0-9 and -, such as \"de-boor-2\", not " + excerpt(*id));
+      if (id) exercise.id = *id;
+    }
+    text("title", true, exercise.title);
+    text("prompt", true, exercise.prompt);
+    text("source", false, exercise.source);
+    text("unit", false, exercise.unit);
+    if (const auto at = root_.optional("tolerance"))
+      if (auto tolerance = read_tolerance(*at)) exercise.tolerance = std::move(*tolerance);
+    if (const auto at = root_.optional("carried"))
+      if (auto x = share(*at)) exercise.carried = std::move(*x);
+    if (const auto at = root_.optional("partial"); at && at->expect_object({"misconception", "slip"})) {
+      if (const auto m = at->optional("misconception"))
+        if (auto x = share(*m)) exercise.misconception = std::move(*x);
+      if (const auto s = at->optional("slip"))
+        if (auto x = share(*s)) exercise.slip = std::move(*x);
+    }
+    if (const auto at = root_.optional("feedback")) {
+      const auto level = one_of<Feedback>(*at, {{"none", Feedback::none},
+                                                {"verdict", Feedback::verdict},
+                                                {"hint", Feedback::hint},
+                                                {"full", Feedback::full}});
+      if (level) exercise.feedback = *level;
+    }
+    const bool ran = run();
+    const auto ask = root_.required("ask");
+    if (!ask || !ask->expect_array(1, most_parts)) return;
+    for (std::size_t i = 0; i < ask->size(); ++i) read_ask((*ask)[i], ran);
+    if (ran && !ask->has_errors() && exercise.max_points == Exact(0)) ask->error("must be worth more than 0 points in all");
+  }
+
+  Exercise exercise;
+
+ private:
+  void text(std::string_view key, bool needed, std::string& out) {
+    const auto at = needed ? root_.required(key) : root_.optional(key);
+    if (!at) return;
+    const auto found = at->string();
+    if (found && needed && found->empty()) at->error("must not be empty");
+    if (found) out = *found;
+  }
+
+  bool run() {
+    const Algorithm* algorithm = nullptr;
+    if (const auto at = root_.required("algorithm")) {
+      std::vector<std::pair<std::string, const Algorithm*>> known;
+      for (const Algorithm* a : algorithms()) known.emplace_back(a->id, a);
+      if (const auto found = one_of<const Algorithm*>(*at, known)) algorithm = *found;
+    }
+    const auto at = root_.required("inputs");
+    if (algorithm == nullptr || !at) return false;
+    const auto inputs = read_inputs(*algorithm, *at);
+    if (!inputs) return false;
+    auto run = record<Exact>(*algorithm, *inputs);
+    for (const Diagnostic& d : run.diagnostics) at->error(d.message);
+    if (!run) return false;
+    exercise.run = std::move(*run);
+    narrator_.emplace(exercise.run);
+    return true;
+  }
+
+  void read_ask(const Cursor& at, bool ran) {
+    if (!at.expect_object({"value", "points", "form", "as", "tolerance", "feedback"})) return;
+    Part model;
+    model.tolerance = exercise.tolerance;
+    if (const auto points = at.required("points"))
+      if (auto n = number_in(*points, Exact(0), Exact(1'000'000), "must be from 0 to 1000000")) model.points = std::move(*n);
+    std::optional<Cursor> form = at.optional("form");
+    if (form) {
+      const auto found =
+          one_of<Form>(*form, {{"affine", Form::affine}, {"homogeneous", Form::homogeneous}, {"weight", Form::weight}});
+      if (found) model.form = *found;
+    }
+    std::optional<Cursor> as = at.optional("as");
+    if (as) {
+      const auto found = one_of<bool>(*as, {{"set", true}, {"list", false}});
+      model.as_set = found && *found;
+    }
+    if (const auto tolerance = at.optional("tolerance"))
+      if (auto found = read_tolerance(*tolerance)) model.tolerance = std::move(*found);
+    if (const auto feedback = at.optional("feedback"))
+      if (auto found = feedback->string()) model.feedback = std::move(*found);
+
+    const auto value = at.required("value");
+    const auto text = value ? value->string() : std::nullopt;
+    if (!text) return;
+    std::string problem;
+    const auto selector = Selector::parse(*text, problem);
+    if (!selector) {
+      value->error(excerpt(*text) + " is no selector: " + problem);
+      return;
+    }
+    if (!ran) return;
+    const auto& trace = exercise.run.trace;
+    const auto values = selector->select(trace);
+    if (values.empty()) {
+      const auto near = nearest_name(trace, *text);
+      value->error(excerpt(*text) + " matches no value of this run" + (near ? "; did you mean " + json_quote(*near) + "?" : "") +
+                   usual());
+      return;
+    }
+    for (const ValueId v : values) {
+      Part part = model;
+      part.value = v;
+      part.name = trace.name(v);
+      part.kind = trace.value(v).kind;
+      if (trace.is_input(v)) {
+        value->error(json_quote(part.name) + " is given, it cannot be asked" + usual());
+      } else if (exercise.part_of_name.contains(part.name)) {
+        value->error(json_quote(part.name) + " is asked twice");
+      } else if (exercise.parts.size() == most_parts) {
+        value->error("too many values are asked; at most " + std::to_string(most_parts));
+        return;
+      } else {
+        add(std::move(part), *value, form, as);
+      }
+    }
+  }
+
+  // What exercises on this algorithm usually ask.
+  std::string usual() const {
+    std::string text;
+    for (const auto& ask : exercise.run.algorithm->asks) text += (text.empty() ? "; usually asked: " : ", ") + std::string(ask);
+    return text;
+  }
+
+  void add(Part part, const Cursor& value, const std::optional<Cursor>& form, const std::optional<Cursor>& as) {
+    const auto& trace = exercise.run.trace;
+    const auto numbers = trace.numbers(part.value);
+    part.dimension = trace.dimension;
+    part.rational = trace.rational;
+    const bool is_point = part.kind == ValueKind::point || part.kind == ValueKind::vector;
+    if (part.kind == ValueKind::integer) part.tolerance = {};
+    if (form && !(is_point && part.rational)) {
+      form->error("is for points of rational curves and surfaces; " + json_quote(part.name) + " is typed as it is");
+      return;
+    }
+    if (part.kind == ValueKind::vector && part.rational && part.form == Form::affine) part.form = Form::homogeneous;
+    if (as && part.kind != ValueKind::list) {
+      as->error("is for lists, such as knot vectors; " + json_quote(part.name) + " is no list");
+      return;
+    }
+    part.right = part.as_typed(numbers);
+    if (part.right.empty()) {
+      value.error(json_quote(part.name) + " has weight 0 and no affine point; ask for it with \"form\": \"homogeneous\"");
+      return;
+    }
+    const bool irrational = std::ranges::any_of(part.right, [](const Exact& x) { return x.is_approximate(); });
+    if (irrational && part.tolerance.kind == Tolerance::Kind::exact) {
+      value.error(json_quote(part.name) +
+                  " is irrational and cannot be asked exactly; give a \"tolerance\" such as {\"decimals\": 4}");
+      return;
+    }
+    if (part.as_set) std::ranges::sort(part.right);
+    for (const Exact& x : part.right) part.windows.push_back(window(part.tolerance, x));
+    part.formula = part.name + " = " + narrator_->formula(part.value);
+    part.solution = part.name + " = ";
+    if (const auto with_numbers = narrator_->numbers(part.value); with_numbers.size() <= longest_formula)
+      part.solution += narrator_->formula(part.value) + " = " + with_numbers + " = ";
+    part.solution += narrator_->value_text(part.value);
+    exercise.max_points += part.points;
+    exercise.part_of_name.emplace(part.name, exercise.parts.size());
+    exercise.parts.push_back(std::move(part));
+  }
+
+  const Cursor& root_;
+  std::optional<Narrator<Exact>> narrator_;
+};
+
+}  // namespace
+
+std::size_t Part::size() const {
+  if (is_single()) return 1;
+  if (kind == ValueKind::list) return 0;
+  return static_cast<std::size_t>(dimension) + (form == Form::homogeneous ? 1 : 0);
+}
+
+Numbers<Exact> Part::as_typed(NumbersView<Exact> traced) const {
+  if (kind != ValueKind::point && kind != ValueKind::vector) return {traced.begin(), traced.end()};
+  if (traced.size() != 4) return {};
+  const Exact& w = traced[3];
+  if (form == Form::weight) return {w};
+  Numbers<Exact> typed(traced.begin(), traced.begin() + dimension);
+  if (form == Form::homogeneous) {
+    typed.push_back(w);
+  } else if (rational) {
+    if (w == Exact(0)) return {};
+    for (Exact& x : typed) x /= w;
+  }
+  return typed;
+}
+
+Numbers<Exact> Part::as_traced(NumbersView<Exact> typed, NumbersView<Exact> model) const {
+  if (kind != ValueKind::point && kind != ValueKind::vector) return {typed.begin(), typed.end()};
+  if (model.size() != 4) return {};
+  const auto d = static_cast<std::size_t>(dimension);
+  Numbers<Exact> traced(model.begin(), model.end());
+  if (form == Form::weight) {
+    if (model[3] == Exact(0)) return {};
+    for (std::size_t i = 0; i < d; ++i) traced[i] = model[i] / model[3] * typed[0];
+    traced[3] = typed[0];
+    return traced;
+  }
+  for (std::size_t i = 0; i < d; ++i) traced[i] = form == Form::affine && rational ? typed[i] * model[3] : typed[i];
+  if (form == Form::homogeneous) traced[3] = typed[d];
+  return traced;
+}
+
+std::optional<std::size_t> Exercise::part(std::string_view name) const {
+  const auto found = part_of_name.find(name);
+  return found == part_of_name.end() ? std::nullopt : std::optional(found->second);
+}
+
+Checked<Exercise> read_exercise(const JsonDocument& document) {
+  Diagnostics diagnostics;
+  const Cursor root(document, diagnostics);
+  ExerciseReader reader(root);
+  reader.read();
+  if (!diagnostics.empty()) return diagnostics;
+  return std::move(reader.exercise);
+}
+
+Checked<Exercise> load_exercise(const std::filesystem::path& path) {
+  const auto document = JsonDocument::load(path);
+  if (!document) return document.diagnostics;
+  return read_exercise(*document);
+}
+
+}  // namespace blossom

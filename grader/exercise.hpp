@@ -1,0 +1,92 @@
+#pragma once
+// An exercise: a run of an algorithm of which some values are asked.
+//
+//   {"schema": "blossom.exercise/1", "id", "title", "prompt", "algorithm", "inputs",
+//    "ask": [{"value": selector, "points": n, "form"?, "as"?, "tolerance"?, "feedback"?: text}, ...],
+//    "tolerance"?, "carried"?: 0..1, "partial"?: {"misconception"?: 0..1, "slip"?: 0..1}, "feedback"?, "source"?, "unit"?}
+//
+// `points` are for each value the selector selects. exercises/exercise.schema.json describes every key.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "algorithms/run.hpp"
+#include "grader/compare.hpp"
+
+namespace blossom {
+
+// How a point of a rational curve is typed. A point of a polynomial one is its coordinates, `affine`.
+enum class Form : std::uint8_t {
+  affine,       // [x, y]
+  homogeneous,  // [w x, w y, w]
+  weight,       // w
+};
+
+enum class Feedback : std::uint8_t {
+  none,     // the score, nothing else
+  verdict,  // what each part counts as
+  hint,     // and what is wrong with it, without the right value
+  full,     // and the right value with its formula
+};
+
+// One asked value.
+struct Part {
+  ValueId value = absent;
+  std::string name;
+  ValueKind kind = ValueKind::scalar;
+  Form form = Form::affine;
+  bool as_set = false;  // a list in any order
+  Tolerance tolerance;
+  Exact points = 0;
+  std::string feedback;  // the exercise's own words to who gets it wrong
+
+  int dimension = 2;
+  bool rational = false;
+  Numbers<Exact> right;  // as it is typed
+  std::vector<Window> windows;  // of each number of it
+
+  std::string formula;   // P[1][0] = (1 - u) P[0][0] + u P[0][1]
+  std::string solution;  // the same with numbers and the right value
+
+  // How many numbers are typed for it; 0: any number of them (a list).
+  std::size_t size() const;
+  bool is_single() const { return kind == ValueKind::integer || kind == ValueKind::scalar || form == Form::weight; }
+  // From the numbers of a trace to those that are typed, and back. A point typed without its weight takes it from
+  // `model`, a weight typed alone its point. Nothing where that is impossible (a point at infinity has no coordinates).
+  Numbers<Exact> as_typed(NumbersView<Exact> traced) const;
+  Numbers<Exact> as_traced(NumbersView<Exact> typed, NumbersView<Exact> model) const;
+};
+
+// Looks names up without making strings of them.
+struct NameHash {
+  using is_transparent = void;
+  std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>()(name); }
+};
+
+struct Exercise {
+  std::string id;
+  std::string title;
+  std::string prompt;
+  std::string source;
+  std::string unit;
+  Tolerance tolerance;
+  Exact carried = 1;        // the share of its points a carried value earns
+  Exact misconception = 0;  // likewise
+  Exact slip = 0;
+  Feedback feedback = Feedback::full;
+  Run<Exact> run;
+  std::vector<Part> parts;
+  Exact max_points = 0;
+
+  std::optional<std::size_t> part(std::string_view name) const;
+  std::unordered_map<std::string, std::size_t, NameHash, std::equal_to<>> part_of_name;
+};
+
+// Every mistake at once, at its line and column.
+Checked<Exercise> read_exercise(const JsonDocument&);
+Checked<Exercise> load_exercise(const std::filesystem::path&);
+
+}  // namespace blossom

@@ -1,0 +1,94 @@
+#pragma once
+// Random valid inputs for any algorithm, made from nothing but its table of inputs: an algorithm is tested the day it is
+// added. What is drawn goes through JSON text and the reader of lesson files, so every input is one that a file can hold.
+
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "algorithms/run.hpp"
+#include "geometry/document.hpp"
+#include "kernel/splines.hpp"
+
+namespace blossom::test {
+
+// Bezier or B-spline, clamped or not, degree 1 to 4, plane or spatial, rational or not, with multiple knots up to p + 1,
+// now and then with points that coincide or weights that are zero.
+inline Curve<Exact> any_curve(std::mt19937& random, int dimension) {
+  const auto one_in = [&](int n) { return random_int(random, 1, n) == 1; };
+  const int p = random_int(random, 1, 4);
+  const bool rational = one_in(2);
+  Curve<Exact> curve;
+  if (one_in(3)) {
+    curve = random_curve(random, p, 1, 1, true, rational);
+    curve.knots = bezier_knots<Exact>(p);
+    curve.bezier = true;
+  } else {
+    curve = random_curve(random, p, random_int(random, 1, 4), one_in(4) ? p + 1 : p, !one_in(3), rational);
+  }
+  curve.dimension = dimension;
+  for (auto& P : curve.points) {
+    if (dimension == 2) P.z = Exact(0);
+    if (&P != &curve.points.front() && one_in(8)) P = *(&P - 1);
+    if (rational && one_in(8)) P = HPoint<Exact>(0, 0, 0, 0);
+  }
+  return curve;
+}
+
+// A parameter where something can go wrong, or any other.
+inline Exact any_parameter(std::mt19937& random, const Curve<Exact>& curve) {
+  if (random_int(random, 0, 1) == 0) return random_parameter(random, curve.knots, curve.degree);
+  return curve.knots[static_cast<std::size_t>(random_int(random, curve.degree, curve.n() + 1))];
+}
+
+inline InputValue<Exact> any_value(std::mt19937& random, const InputSpec& spec, const Curve<Exact>& curve, int dimension) {
+  switch (spec.type) {
+    case InputSpec::Type::number: return any_parameter(random, curve);
+    case InputSpec::Type::integer: return random_int(random, spec.at_least, std::min(spec.at_most, spec.at_least + 2));
+    case InputSpec::Type::choice:
+      return std::string(spec.choices[static_cast<std::size_t>(random_int(random, 0, static_cast<int>(spec.choices.size()) - 1))]);
+    case InputSpec::Type::curve: return curve;
+    case InputSpec::Type::surface: return random_surface(random, 2, random_int(random, 1, 3), 2, true, random_int(random, 0, 1) == 1);
+    case InputSpec::Type::curves: break;
+  }
+  std::vector<Curve<Exact>> curves{curve};
+  for (int l = random_int(random, 1, 3); l > 0; --l) curves.push_back(any_curve(random, dimension));
+  return curves;
+}
+
+// Inputs that the algorithm accepts: draws until some are.
+inline Inputs<Exact> any_inputs(const Algorithm& algorithm, unsigned seed) {
+  std::mt19937 random(seed);
+  for (int draw = 0; draw < 1000; ++draw) {
+    const int dimension = random_int(random, 2, 3);
+    const Curve<Exact> curve = any_curve(random, dimension);
+    std::string text = "{";
+    for (const auto& spec : algorithm.inputs)
+      text += (text.size() > 1 ? ", " : "") + json_quote(spec.name) + ": " + write_input(any_value(random, spec, curve, dimension));
+    const auto document = JsonDocument::parse("inputs", text + "}");
+    Diagnostics diagnostics;
+    if (!document) continue;
+    auto inputs = read_inputs(algorithm, Cursor(*document, diagnostics));
+    if (inputs && record<Exact>(algorithm, *inputs)) return *inputs;
+  }
+  throw std::runtime_error("no draw was valid for " + std::string(algorithm.id));
+}
+
+inline std::string to_text(const Inputs<Exact>& inputs) {
+  std::string text;
+  for (const auto& [name, value] : inputs.values) text += name + " = " + write_input(value) + "\n";
+  return text;
+}
+
+// `body(algorithm, inputs)` on `count` inputs of each algorithm, with what to look at when it fails.
+template <class Body>
+void for_each_run(unsigned count, Body&& body) {
+  for (const Algorithm* algorithm : algorithms()) {
+    for (unsigned seed = 1; seed <= count; ++seed) {
+      const auto inputs = any_inputs(*algorithm, seed);
+      INFO(algorithm->id << ", seed " << seed << "\n" << to_text(inputs));
+      body(*algorithm, inputs);
+    }
+  }
+}
+
+}  // namespace blossom::test
