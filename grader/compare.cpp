@@ -78,7 +78,7 @@ bool within(const Tolerance& tolerance, const Exact& v, const Exact& typed, doub
 }
 
 std::optional<double> quick_double(std::string_view text) {
-  constexpr std::size_t longest = 32;
+  constexpr std::size_t longest = 64;
   constexpr std::size_t digits_of_whole_double = 15;  // every whole number of so many digits is a double
   if (text.size() > longest) return std::nullopt;
   std::size_t slash = std::string_view::npos;

@@ -4,6 +4,7 @@
 
 #include "algorithms/narrate.hpp"
 #include "algorithms/selector.hpp"
+#include "lesson/document.hpp"
 
 namespace blossom {
 namespace {
@@ -77,11 +78,6 @@ std::optional<Tolerance> read_tolerance(const Cursor& at) {
   return std::nullopt;
 }
 
-bool is_id(std::string_view text) {
-  return !text.empty() && text.size() <= 64 &&
-         std::ranges::all_of(text, [](char c) { return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '-'; });
-}
-
 class ExerciseReader {
  public:
   explicit ExerciseReader(const Cursor& root) : root_(root) {}
@@ -90,16 +86,12 @@ class ExerciseReader {
     if (!root_.expect_object({"$schema", "schema", "id", "title", "prompt", "algorithm", "inputs", "ask", "tolerance",
                               "carried", "partial", "feedback", "source", "unit"}))
       return;
-    if (const auto at = root_.required("schema")) one_of<int>(*at, {{"blossom.exercise/1", 0}});
-    if (const auto at = root_.required("id")) {
-      const auto id = at->string();
-      if (id && !is_id(*id)) at->error("must be 1 to 64 of a-z, 0-9 and -, such as \"de-boor-2\", not " + excerpt(*id));
-      if (id) exercise.id = *id;
-    }
-    text("title", true, exercise.title);
-    text("prompt", true, exercise.prompt);
-    text("source", false, exercise.source);
-    text("unit", false, exercise.unit);
+    expect_schema(root_, "blossom.exercise/1");
+    if (const auto at = root_.required("id")) exercise.id = read_id(*at).value_or("");
+    if (const auto at = root_.required("title")) exercise.title = read_text(*at).value_or("");
+    if (const auto at = root_.required("prompt")) exercise.prompt = read_text(*at).value_or("");
+    if (const auto at = root_.optional("source")) exercise.source = at->string().value_or("");
+    if (const auto at = root_.optional("unit")) exercise.unit = at->string().value_or("");
     if (const auto at = root_.optional("tolerance"))
       if (auto tolerance = read_tolerance(*at)) exercise.tolerance = std::move(*tolerance);
     if (const auto at = root_.optional("carried"))
@@ -127,27 +119,10 @@ class ExerciseReader {
   Exercise exercise;
 
  private:
-  void text(std::string_view key, bool needed, std::string& out) {
-    const auto at = needed ? root_.required(key) : root_.optional(key);
-    if (!at) return;
-    const auto found = at->string();
-    if (found && needed && found->empty()) at->error("must not be empty");
-    if (found) out = *found;
-  }
-
   bool run() {
-    const Algorithm* algorithm = nullptr;
-    if (const auto at = root_.required("algorithm")) {
-      std::vector<std::pair<std::string, const Algorithm*>> known;
-      for (const Algorithm* a : algorithms()) known.emplace_back(a->id, a);
-      if (const auto found = one_of<const Algorithm*>(*at, known)) algorithm = *found;
-    }
-    const auto at = root_.required("inputs");
-    if (algorithm == nullptr || !at) return false;
-    const auto inputs = read_inputs(*algorithm, *at);
-    if (!inputs) return false;
-    auto run = record<Exact>(*algorithm, *inputs);
-    for (const Diagnostic& d : run.diagnostics) at->error(d.message);
+    const Algorithm* algorithm = read_algorithm(root_);
+    if (algorithm == nullptr) return false;
+    auto run = read_run(root_, *algorithm);
     if (!run) return false;
     exercise.run = std::move(*run);
     narrator_.emplace(exercise.run);

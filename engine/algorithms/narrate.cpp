@@ -1,7 +1,10 @@
 #include "algorithms/narrate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstdio>
+#include <cstdlib>
 
 namespace blossom {
 
@@ -15,7 +18,15 @@ struct Narrator<S>::Context {
 };
 
 template <Scalar S>
-Narrator<S>::Narrator(const Run<S>& run) : run_(&run), labels_(run.trace.polar_labels()) {}
+Narrator<S>::Narrator(const Run<S>& run, int digits) : run_(&run), digits_(digits), labels_(run.trace.polar_labels()) {}
+
+template <Scalar S>
+std::string Narrator<S>::number(const S& x) const {
+  if (digits_ == 0 || (std::same_as<S, Exact> && !is_approximate(x))) return format_number(x);
+  std::array<char, 40> rounded;
+  std::snprintf(rounded.data(), rounded.size(), "%.*e", digits_ - 1, to_double(x));  // rounds; then the shortest text of it
+  return format_number(std::strtod(rounded.data(), nullptr));
+}
 
 template <Scalar S>
 const Algorithm& Narrator<S>::algorithm_at(std::uint32_t step) const {
@@ -92,10 +103,14 @@ std::string Narrator<S>::text(std::uint32_t step) const {
 
 namespace {
 
-template <class Iterator>
-std::string list(Iterator begin, Iterator end) {
+template <class Numbers, class NumberText>
+std::string list(const Numbers& numbers, const NumberText& text_of) {
   std::string text = "(";
-  for (auto it = begin; it != end; ++it) text += (it != begin ? ", " : "") + format_number(*it);
+  bool first = true;
+  for (const auto& x : numbers) {
+    text += (first ? "" : ", ") + text_of(x);
+    first = false;
+  }
   return text + ")";
 }
 
@@ -108,7 +123,7 @@ std::string Narrator<S>::operand_text(ValueId v) const {
   const auto numbers = trace().numbers(v);
   std::vector<S> shown(numbers.begin(), numbers.begin() + trace().dimension);
   if (trace().rational) shown.push_back(numbers[3]);
-  return list(shown.begin(), shown.end());
+  return list(shown, [this](const S& x) { return number(x); });
 }
 
 template <Scalar S>
@@ -116,22 +131,24 @@ std::string Narrator<S>::value_text(ValueId v) const {
   const auto numbers = trace().numbers(v);
   switch (trace().value(v).kind) {
     case ValueKind::integer:
-    case ValueKind::scalar: return format_number(numbers[0]);
-    case ValueKind::list: return list(numbers.begin(), numbers.end());
+    case ValueKind::scalar: return number(numbers[0]);
+    case ValueKind::list: return list(numbers, [this](const S& x) { return number(x); });
     case ValueKind::vector: return operand_text(v);
     case ValueKind::point: break;
   }
   std::vector<S> shown(numbers.begin(), numbers.begin() + trace().dimension);
-  if (!trace().rational) return list(shown.begin(), shown.end());
+  // The point on a rational curve, after the division, is an ordinary one.
+  if (!trace().rational || trace().value(v).rule == &rule_info<Project>) return list(shown, [this](const S& x) { return number(x); });
   const S& w = numbers[3];
-  if (w == S(0)) return "at infinity, direction " + list(shown.begin(), shown.end());
+  if (w == S(0)) return "at infinity, direction " + list(shown, [this](const S& x) { return number(x); });
   for (S& x : shown) x = x / w;
-  return list(shown.begin(), shown.end()) + ", w = " + format_number(w);
+  return list(shown, [this](const S& x) { return number(x); }) + ", w = " + number(w);
 }
 
 template <Scalar S>
 std::string Narrator<S>::polar(ValueId v) const {
-  return labels_[v].empty() ? std::string() : to_string(labels_[v]);
+  if (labels_[v].empty()) return {};
+  return to_string(labels_[v], [this](const S& x) { return number(x); });
 }
 
 namespace {
@@ -178,8 +195,11 @@ std::string Narrator<S>::numbers(ValueId v) const {
   const bool listed = trace().value(v).rule->formula.find("{*}") != std::string_view::npos;
   for (const ValueId o : trace().operands(v)) {
     std::string text = operand_text(o);
-    // A negative number or a fraction inside a formula needs its parentheses, in a list between commas it does not.
-    if (!listed && trace().numbers(o).size() == 1 && text.find_first_of("-/") != std::string::npos) text = "(" + text + ")";
+    // Inside a formula (not in a list between commas) a negative number needs its parentheses, and so does a fraction that
+    // is itself divided.
+    const bool divided = trace().value(v).rule->formula.find('/') != std::string_view::npos;
+    if (!listed && trace().numbers(o).size() == 1 && (text[0] == '-' || (divided && text.find('/') != std::string::npos)))
+      text = "(" + text + ")";
     values.push_back(std::move(text));
   }
   return fill_formula(trace().value(v).rule->formula, values);
@@ -208,8 +228,8 @@ std::optional<int> Narrator<S>::index(std::string_view expression, const Context
         if (context.spec->indices[n] == term) value = trace().value(context.value).name.index[n];
     }
     if (!value)
-      if (const auto v = resolve(term, context); v && trace().value(*v).kind == ValueKind::integer)
-        value = static_cast<int>(to_double(trace().numbers(*v)[0]));
+      if (const auto found = resolve(term, context); found && trace().value(found->value).kind == ValueKind::integer)
+        value = static_cast<int>(to_double(trace().numbers(found->value)[0]));
     if (!value) return std::nullopt;
     sum += sign * *value;
     sign = 1;
@@ -218,10 +238,13 @@ std::optional<int> Narrator<S>::index(std::string_view expression, const Context
   return sum;
 }
 
-// A reference like P[r-1][i]: its indices worked out, then looked up from the innermost scope outwards.
+// A reference like P[r-1][i]: its indices worked out, then looked up from the innermost scope outwards. Where a scope
+// has no value U[3] but a list U, it is the list's element 3.
 template <Scalar S>
-std::optional<ValueId> Narrator<S>::resolve(std::string_view reference, const Context& context) const {
+auto Narrator<S>::resolve(std::string_view reference, const Context& context) const -> std::optional<Found> {
   std::string name;
+  std::size_t list_name = 0;  // its length, where the reference has one index
+  int element = 0;
   for (std::size_t i = 0; i < reference.size();) {
     if (reference[i] != '[') {
       name += reference[i++];
@@ -231,11 +254,21 @@ std::optional<ValueId> Narrator<S>::resolve(std::string_view reference, const Co
     if (end == std::string_view::npos) return std::nullopt;
     const auto value = index(reference.substr(i + 1, end - i - 1), context);
     if (!value) return std::nullopt;
+    list_name = list_name == 0 && end + 1 == reference.size() ? name.size() : 0;
+    element = *value;
     name += "[" + std::to_string(*value) + "]";
     i = end + 1;
   }
+  const auto made = [&](const std::string& full) {
+    const auto v = trace().find(full);
+    return v && trace().value(*v).step <= context.step ? v : std::nullopt;
+  };
   for (std::string scope = context.scope;;) {
-    if (const auto v = trace().find(scope + name); v && trace().value(*v).step <= context.step) return v;
+    if (const auto v = made(scope + name)) return Found{*v, -1};
+    if (list_name != 0)
+      if (const auto v = made(scope + name.substr(0, list_name)); v && trace().value(*v).kind == ValueKind::list && element >= 0 &&
+                                                                  element < static_cast<int>(trace().numbers(*v).size()))
+        return Found{*v, element};
     if (scope.empty()) return std::nullopt;
     scope.pop_back();
     const auto dot = scope.rfind('.');
@@ -260,11 +293,14 @@ std::optional<std::string> Narrator<S>::placeholder(std::string_view inside, con
   }
   const char form = inside.empty() ? ' ' : inside[0];
   if (const auto found = resolve(form == '#' || form == '~' ? inside.substr(1) : inside, context)) {
-    if (form == '~') return operand_text(*found);
-    if (form != '#') return value_text(*found);
-    std::string name = trace().name(*found);
+    const auto [value, element] = *found;
+    if (form != '#') {
+      if (element >= 0) return format_number(trace().numbers(value)[static_cast<std::size_t>(element)]);
+      return form == '~' ? operand_text(value) : value_text(value);
+    }
+    std::string name = trace().name(value);
     if (name.starts_with(context.scope)) name.erase(0, context.scope.size());
-    return name;
+    return element >= 0 ? name + "[" + std::to_string(element) + "]" : name;
   }
   // "{k-p+1}" is a whole number of its own.
   if (const auto sum = index(inside, context); sum && !inside.empty()) return std::to_string(*sum);

@@ -3,7 +3,7 @@
 //
 // A template is text with placeholders in braces:
 //   {P[r-1][i]}   the value of that name, as the run shows numbers; indices are sums and differences of whole numbers,
-//                 of the indices' names at this step, and of whole-number values such as k, s, p
+//                 of the indices' names at this step, and of whole-number values such as k, s, p; also element i of a list
 //   {#P[r-1][i]}  its name: P[0][3]
 //   {~P[r-1][i]}  its value as a formula takes it: a point of a rational curve as (wx, wy, w); all else as above
 //   {value} {name} {formula} {numbers}   of the step's main value: its value, its name, its formula with names, and the
@@ -20,7 +20,9 @@ namespace blossom {
 template <Scalar S>
 class Narrator {
  public:
-  explicit Narrator(const Run<S>& run);
+  // With `digits` > 0, decimals are rounded to that many significant digits, for pictures and for reading; otherwise they
+  // are the shortest that read back as the same number. Fractions are always whole.
+  explicit Narrator(const Run<S>& run, int digits = 0);
   Narrator(const Narrator&) = delete;
 
   const Run<S>& run() const { return *run_; }
@@ -50,10 +52,17 @@ class Narrator {
   struct Context;
   std::optional<std::string> placeholder(std::string_view inside, const Context&) const;
   std::string fill_in(std::string_view text, const Context&, std::vector<std::string>* errors) const;
-  std::optional<ValueId> resolve(std::string_view reference, const Context&) const;
+  struct Found {
+    ValueId value;
+    int element;  // of a list; -1: the value itself
+  };
+  std::optional<Found> resolve(std::string_view reference, const Context&) const;
   std::optional<int> index(std::string_view expression, const Context&) const;
 
+  std::string number(const S&) const;
+
   const Run<S>* run_;
+  int digits_;
   std::vector<PolarLabel<S>> labels_;
 };
 

@@ -73,6 +73,8 @@ const Algorithm& skinning() {
         {"P", {"l", "i"}, "the control point i of profile l", 0, "", ValueSpec::Draw::net},
         {"U", {}, "the knots of a profile as one vector", 1, "Its knot vector so far: {value}."},
         {"U", {"i"}, "a knot, mapped to [0, 1]; in the phase merge: the knots of profile i", 1, "{name} = {numbers} = {value}."},
+        {"P", {"i"}, "a control point, over the mapped knots", 1, "The control points stay where they are.",
+         ValueSpec::Draw::polygon},
         {"W", {"l"}, "the union of the knots of profiles 0..l", 1, "All knots that profiles 0 to {l} need: {value}."},
         {"K", {}, "the number of profiles less one"},
         {"l", {"l"}, "the index l"},
@@ -110,7 +112,8 @@ const Algorithm& skinning() {
     a.rules = {&rule_info<Gather>,   &rule_info<UniteKnots>, &rule_info<Distance>,   &rule_info<Root>,
                &rule_info<Total>,    &rule_info<Quotient>,   &rule_info<Mean>,       &rule_info<Sum>,
                &rule_info<Fraction>, &rule_info<BasisValue>, &rule_info<ReduceNumber>, &rule_info<Reduce>,
-               &rule_info<Scale>,    &rule_info<Ratio>};
+               &rule_info<Scale>,    &rule_info<Ratio>,      &rule_info<SameNumber>,
+               &rule_info<Reparametrize>};
     a.misconceptions = {
         {"always-uniform", "the parameters are uniform",
          "The parameters follow the distances between the profiles: v grows more where the next profile is farther away.",

@@ -215,7 +215,9 @@ class Writer {
       text(", \"weight\": ");
       number(w);
     }
-    bool same = trace_.rational || same_number(w, S(1));
+    // What is known in double precision only is read as decimals and multiplied exactly: not the same product.
+    const bool rounded = std::same_as<S, Exact> && divide && std::any_of(P.begin(), P.end(), [](const S& x) { return is_approximate(x); });
+    bool same = !rounded && (trace_.rational || same_number(w, S(1)));
     for (std::size_t i = 0; i < 3; ++i) same = same && same_number(i < dimension ? (divide ? shown[i] * w : shown[i]) : S(0), P[i]);
     if (same) return;
     text(", \"homogeneous\": ");

@@ -387,7 +387,7 @@ class TraceReader {
           extra->error("must be left out: a " + *kind_text + " has none");
       if (!numbers) return;
       if (const auto approximate = at.optional("approximate")) mark_approximate(*approximate, *numbers);
-      trace_.numbers_.insert(trace_.numbers_.end(), numbers->begin(), numbers->end());
+      for (const S& x : *numbers) trace_.numbers_.push_back(x);
     }
 
     std::optional<std::vector<S>> read_point(const Cursor& at, const Cursor& value_at) const {

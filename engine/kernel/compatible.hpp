@@ -25,6 +25,17 @@ struct UniteKnots {
   }
 };
 
+// A point over mapped knots: it stays, its polar label is told by the knots
+struct Reparametrize {
+  static constexpr std::string_view name = "reparametrize";
+  static constexpr std::string_view formula = "{0}";
+  static constexpr Polar polar = Polar::none;
+  template <Scalar S>
+  static HPoint<S> apply(const HPoint<S>& A) {
+    return A;
+  }
+};
+
 namespace compatible {
 
 template <class R>
@@ -44,7 +55,7 @@ MadeCurve<R> clamp(R& rec, MadeCurve<R> curve) {
     if (s < p) {
       auto phase = rec.phase({"end", front ? 0 : 1, true, "knot_insertion"});
       const auto times = rec.input("h"_v, p - s);
-      const Traced<S, typename R::Id> end{u, curve.U[at].id};
+      const auto end = rec.apply(SameNumber{}, "u"_v, curve.U[at]);
       curve = insert_knot(rec, curve, knot_list(rec, curve), end, times);
     }
   }
@@ -113,6 +124,16 @@ void make_compatible(R& rec, std::vector<MadeCurve<R>>& curves) {
       Cells<S, Id> mapped;
       mapped.reserve(U.size());
       for (int i = 0; i < U.size(); ++i) mapped.push_back(rec.apply(Ratio{}, "U"_v(i), U[i], a, b));
+      if constexpr (R::recording) {
+        auto step = rec.one_step();
+        for (int i = 0; i < curve(l).P.size(); ++i) {
+          const auto before = curve(l).P[i].id;
+          const auto point = rec.apply(Reparametrize{}, "P"_v(i), curve(l).P[i]);
+          rec.retire(before);
+          rec.polar_knots(point.id, mapped[i + 1].id, p);
+          curve(l).P.set(i, point);
+        }
+      }
       curve(l).U = std::move(mapped);
     }
   }

@@ -30,9 +30,9 @@ std::optional<std::string> read_text(const Cursor& at) {
 std::optional<std::string> read_id(const Cursor& at) {
   auto id = at.string();
   if (!id) return std::nullopt;
-  const auto allowed = [](char c) { return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '-' || c == '_'; };
+  const auto allowed = [](char c) { return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '-'; };
   if (!id->empty() && id->size() <= 64 && std::all_of(id->begin(), id->end(), allowed)) return id;
-  at.error("must be 1 to 64 lower-case letters, digits, hyphens and underscores, not " + excerpt(*id));
+  at.error("must be 1 to 64 of a-z, 0-9 and -, such as \"de-boor-2\", not " + excerpt(*id));
   return std::nullopt;
 }
 

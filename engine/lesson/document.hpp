@@ -13,7 +13,7 @@ namespace blossom {
 // "schema" must be exactly `expected` ("blossom.lesson/1"); another version of it says so.
 bool expect_schema(const Cursor& root, std::string_view expected);
 
-// An id stands in answers, reports and file names: 1 to 64 lower-case letters, digits, hyphens and underscores.
+// An id stands in answers, reports and file names: 1 to 64 of a-z, 0-9 and -.
 std::optional<std::string> read_id(const Cursor&);
 
 // A text that is not empty.

@@ -30,7 +30,7 @@ double heading(View& view, double x, double y, const std::string& words) {
 
 // How many lines a text takes at a width, in characters of about half an em: enough to reserve space.
 int lines_of(std::size_t characters, double width, double size) {
-  const double per_line = std::max(8.0, width / (size * 0.56));
+  const double per_line = std::max(8.0, width / (size * 0.6));
   return std::max(1, static_cast<int>((static_cast<double>(characters) + per_line - 1) / per_line));
 }
 
@@ -59,7 +59,7 @@ double add_pseudo_code(View& view, const StepSource& source, std::uint32_t step,
     text(view, x + 14, at + 14, {{std::to_string(i + 1), TextRun::Level::base, false, false, true}}, Role::text_quiet, size)
         .placement = Label::Placement::right;
     text(view, x + 22, at + 14,
-         {{std::string(algorithm.pseudo_code[i]), TextRun::Level::base, false, here, true}}, here ? Role::text_strong : Role::text, size);
+         {{std::string(algorithm.pseudo_code[i]), TextRun::Level::base, false, here, true}}, Role::text, size);
     at += row;
   }
   return at - y + 12;
@@ -70,24 +70,30 @@ double add_formula(View& view, const StepSource& source, std::uint32_t step, dou
   if (v == absent || source.graph->is_input(v)) return 0;
   const Algorithm& algorithm = source.algorithm_at(step);
   double at = y + heading(view, x, y, "This step");
-  RichText name = typeset_name(source.graph->value(v).name, algorithm);
-  const auto line = [&](const std::string& words, Role role, double size) {
-    RichText runs = typeset_text(words, algorithm);
+  const auto shortened = [](std::string words) {
     const std::size_t most = 220;  // a knot vector of hundreds of knots is not for this box
-    if (characters(runs) > most) runs = {{words.substr(0, most) + " ..."}};
-    const int lines = lines_of(characters(runs), width, 14 * size);
-    text(view, x, at + 14, std::move(runs), role, size).max_width = width;
-    at += 20 * lines;
+    return words.size() <= most ? words : words.substr(0, most) + " ...";
   };
   const std::string formula = source.formula(v);
   const std::string numbers = source.numbers(v);
-  const std::string value = source.value_text(v);
-  text(view, x, at + 15, std::move(name), Role::text_current, 1.15);
-  at += 24;
-  line("= " + formula, Role::text, 0.9);
-  if (numbers != formula && numbers != value) line("= " + numbers, Role::text, 0.9);
-  line("= " + value, Role::text_current, 1);
-  if (const std::string polar = source.polar(v); !polar.empty()) line("blossom value " + polar, Role::text_quiet, 0.85);
+  const std::string value = shortened(source.value_text(v));
+
+  RichText result = typeset_name(source.graph->value(v).name, algorithm);
+  result.push_back({" = " + value});
+  const int lines = lines_of(characters(result) + 2, width, 14 * 1.05);
+  Label& made = text(view, x, at + 15, std::move(result), Role::text_current, 1.05);
+  made.max_width = width;
+  at += 21 * lines + 4;
+
+  // One label, so that its lines cannot run into each other however they wrap.
+  std::string from = "= " + shortened(formula);
+  if (numbers != formula && numbers != source.value_text(v)) from += "\n= " + shortened(numbers);
+  if (const std::string polar = source.polar(v); !polar.empty()) from += "\nblossom value " + polar;
+  text(view, x, at + 14, typeset_text(from, algorithm), Role::text, 0.9).max_width = width;
+  for (std::size_t i = 0, end = 0; end != std::string::npos; i = end + 1) {
+    end = from.find('\n', i);
+    at += 19 * lines_of((end == std::string::npos ? from.size() : end) - i, width, 14 * 0.9);
+  }
   return at - y + 12;
 }
 
@@ -119,7 +125,8 @@ double add_tableau(View& view, const StepSource& source, std::uint32_t step, dou
   const bool values = cell_width >= 64 && row_height >= 30;
 
   std::map<ValueId, glm::dvec2> centre;
-  const ValueId main = graph.main_value(step);
+  const ValueId made_by_step = graph.main_value(step);
+  const ValueId main = made_by_step != absent && graph.is_input(made_by_step) ? absent : made_by_step;
   std::set<ValueId> operands;
   if (main != absent)
     for (const ValueId o : graph.operands(main)) operands.insert(o);
@@ -150,6 +157,7 @@ double add_tableau(View& view, const StepSource& source, std::uint32_t step, dou
         Polyline arrow;
         arrow.points = {{it->second.x + cell_width * 0.36, it->second.y, 0}, {c.x - cell_width * 0.36, c.y, 0}};
         arrow.role = current ? Role::current : Role::rule_line;
+        if (current) arrow.width_scale = 0.5;
         if (made) view.polylines.push_back(std::move(arrow));
       }
     const double w = cell_width * 0.72;
@@ -157,7 +165,7 @@ double add_tableau(View& view, const StepSource& source, std::uint32_t step, dou
     if (current) fill(view, c.x - w / 2 - 1, c.y - h / 2 - 1, w + 2, h + 2, Role::current, 0.25);
     if (operands.contains(v)) fill(view, c.x - w / 2 - 1, c.y - h / 2 - 1, w + 2, h + 2, Role::operand, 0.22);
     if (!made) {
-      text(view, c.x, c.y + 4, {{"·"}}, Role::text_quiet, 1).placement = Label::Placement::centre;
+      fill(view, c.x - w / 4, c.y - 1, w / 2, 2, Role::rule_line);  // a line to be written on
       continue;
     }
     Label& name = text(view, c.x, values ? c.y - 1 : c.y + 5, typeset_name(graph.value(v).name, *source.algorithm),
@@ -223,6 +231,20 @@ double add_knot_line(View& view, const StepSource& source, std::uint32_t step, d
     label.optional = true;
     view.labels.push_back(label);
     i = end;
+  }
+  // A ratio measures u between two knots.
+  if (const ValueId main = source.graph->main_value(step);
+      main != absent && source.graph->value(main).rule == &rule_info<Ratio> && source.graph->scope(main).empty()) {
+    const auto from = source.graph->operands(main);
+    const double a = source.scalars[from[1]];
+    const double b = source.scalars[from[2]];
+    Polyline between;
+    between.points = {{place(a), line - 6, 0}, {place(b), line - 6, 0}};
+    between.role = Role::ratio_far;
+    view.polylines.push_back(between);
+    between.points = {{place(a), line - 6, 0}, {place(source.scalars[from[0]]), line - 6, 0}};
+    between.role = Role::ratio_near;
+    view.polylines.push_back(between);
   }
   if (source.parameter) {
     Marker u;

@@ -24,7 +24,6 @@ struct Bounds {
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
-  bool empty() const { return low.x > high.x; }
 };
 
 glm::dvec3 plain(const Point<double>& p) { return {p.x, p.y, p.z}; }
@@ -65,6 +64,12 @@ struct StepScenes::Samples {
   Mesh mesh;                                    // of a resulting surface
   std::vector<std::vector<glm::dvec3>> isolines;
   Bounds bounds;
+  std::vector<glm::dvec3> extent;  // everything that must fit into the view
+
+  void add(const glm::dvec3& at) {
+    bounds.add(at);
+    extent.push_back(at);
+  }
 
   void add_curve(const Curve<double>& curve, std::vector<std::vector<glm::dvec3>>& pieces) {
     CurveSamples samples;
@@ -74,7 +79,7 @@ struct StepScenes::Samples {
       pieces.emplace_back();
       for (std::size_t i = samples.pieces[piece]; i < end; ++i) {
         pieces.back().push_back(plain(samples.points[i]));
-        bounds.add(pieces.back().back());
+        add(pieces.back().back());
       }
     }
   }
@@ -89,7 +94,7 @@ struct StepScenes::Samples {
     for (std::size_t i = 0; i < grid.points.size(); ++i) {
       mesh.positions.push_back(plain(grid.points[i]));
       mesh.normals.push_back(plain(grid.normals[i]));
-      bounds.add(mesh.positions.back());
+      add(mesh.positions.back());
     }
     const auto at = [&](int a, int b) { return static_cast<std::uint32_t>(a * grid.columns + b); };
     for (int a = 0; a + 1 < grid.rows; ++a)
@@ -119,8 +124,8 @@ StepScenes::StepScenes(const StepSource& source) : source_(&source), samples_(st
   if (const auto* curve = std::get_if<Curve<double>>(&source.outcome)) samples_->add_curve(*curve, samples_->result);
   if (const auto* surface = std::get_if<Surface<double>>(&source.outcome)) samples_->add_surface(*surface);
   for (const auto& at : source.points)
-    if (at) samples_->bounds.add(*at);
-  if (samples_->bounds.empty()) samples_->bounds.add({0, 0, 0});
+    if (at) samples_->add(*at);
+  if (samples_->extent.empty()) samples_->add({0, 0, 0});
 }
 
 StepScenes::~StepScenes() = default;
@@ -128,7 +133,7 @@ StepScenes::~StepScenes() = default;
 namespace {
 
 // The camera that shows the bounds in a view of this aspect, with a margin for labels.
-Camera camera_for(const Bounds& bounds, bool spatial, double width, double height) {
+Camera camera_for(const Bounds& bounds, const std::vector<glm::dvec3>& extent, bool spatial, double width, double height) {
   Camera camera;
   const double margin = 1.18;
   camera.centre = (bounds.low + bounds.high) * 0.5;
@@ -145,13 +150,14 @@ Camera camera_for(const Bounds& bounds, bool spatial, double width, double heigh
   const double ce = std::cos(camera.elevation), se = std::sin(camera.elevation);
   const glm::dvec3 right{-sa, ca, 0};
   const glm::dvec3 up{-se * ca, -se * sa, ce};
-  double across = 0, along = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 half{(corner & 1 ? 0.5 : -0.5) * size.x, (corner & 2 ? 0.5 : -0.5) * size.y, (corner & 4 ? 0.5 : -0.5) * size.z};
-    across = std::max(across, std::abs(glm::dot(half, right)));
-    along = std::max(along, std::abs(glm::dot(half, up)));
+  glm::dvec2 low{1e300}, high{-1e300};
+  for (const auto& at : extent) {
+    const glm::dvec2 seen{glm::dot(at - camera.centre, right), glm::dot(at - camera.centre, up)};
+    low = glm::min(low, seen);
+    high = glm::max(high, seen);
   }
-  camera.height = std::max({2 * along, 2 * across * height / width, 1e-9}) * 1.06;
+  camera.centre += 0.5 * (low.x + high.x) * right + 0.5 * (low.y + high.y) * up;
+  camera.height = std::max({high.y - low.y, (high.x - low.x) * height / width, 1e-9}) * margin;
   return camera;
 }
 
@@ -229,7 +235,7 @@ View StepScenes::viewport(std::uint32_t step, double width, double height) const
   View view;
   view.width = width;
   view.height = height;
-  view.camera = camera_for(samples_->bounds, source.spatial(), width, height);
+  view.camera = camera_for(samples_->bounds, samples_->extent, source.spatial(), width, height);
   if (!source.spatial()) add_grid(view, width, height);
 
   const bool surface_done = last && !samples_->mesh.indices.empty();
@@ -247,7 +253,8 @@ View StepScenes::viewport(std::uint32_t step, double width, double height) const
     for (const ValueId o : graph.operands(main)) operands.insert(o);
   const auto [first_new, end_new] = graph.values_of(step);
 
-  using Group = std::tuple<std::uint32_t, std::uint64_t, int, int>;  // phase, symbol, arity, first index
+  // Keys: phase, minus the arity (so that results are drawn over triangles), symbol, first index.
+  using Group = std::tuple<std::uint32_t, int, std::uint64_t, int>;
   std::map<Group, std::map<int, ValueId>> rows;
   std::map<Group, std::map<int, ValueId>> net_columns;
   std::vector<ValueId> shown;
@@ -257,13 +264,14 @@ View StepScenes::viewport(std::uint32_t step, double width, double height) const
     if (spec == nullptr || spec->draw == ValueSpec::Draw::none) continue;
     const bool given = graph.is_input(v);
     if (!given && !graph.alive(v, step) && !operands.contains(v)) continue;
+    if (surface_done && (given || spec->draw != ValueSpec::Draw::net || !graph.scope(v).empty())) continue;
     const Name& name = graph.value(v).name;
     const std::uint32_t phase = graph.scope(v).empty() ? absent : graph.phase_of(v);
     const int row = name.arity == 2 ? name.index[0] : 0;
     if (spec->draw != ValueSpec::Draw::point)
-      rows[{phase, name.symbol.packed, name.arity, row}][name.arity > 0 ? name.index[name.arity - 1] : 0] = v;
+      rows[{phase, -name.arity, name.symbol.packed, row}][name.arity > 0 ? name.index[name.arity - 1] : 0] = v;
     if (spec->draw == ValueSpec::Draw::net && !given)
-      net_columns[{phase, name.symbol.packed, name.arity, name.index[1]}][name.index[0]] = v;
+      net_columns[{phase, -name.arity, name.symbol.packed, name.index[1]}][name.index[0]] = v;
     shown.push_back(v);
   }
   const auto role_of = [&](ValueId v) {
@@ -285,7 +293,7 @@ View StepScenes::viewport(std::uint32_t step, double width, double height) const
       int before = 0;
       Role role = Role::polygon;
       const auto flush = [&] {
-        if (run.size() > 1) view.polylines.push_back(line(run, role));
+        if (run.size() > 1) view.polylines.push_back(line(run, role, source.spatial() ? 0.6 : 1));
         run.clear();
       };
       for (const auto& [i, v] : members) {
@@ -300,20 +308,35 @@ View StepScenes::viewport(std::uint32_t step, double width, double height) const
   add_rows(rows);
   add_rows(net_columns);
   if (last)
-    for (const auto& piece : samples_->result) view.polylines.push_back(line(piece, Role::curve_result));
+    for (const auto& piece : samples_->result) view.polylines.push_back(line(piece, Role::curve_result, 1, true));
+
+  // Where several values are one point, the newest has its name there.
+  std::map<std::tuple<double, double, double>, ValueId> newest;
+  for (const ValueId v : shown) newest[{source.points[v]->x, source.points[v]->y, source.points[v]->z}] = v;
+  // Names of a phase that is over would only be in the way.
+  const auto around = graph.phase_path(graph.step(step).phase);
+  const auto here = [&](ValueId v) {
+    return graph.scope(v).empty() || std::ranges::find(around, graph.phase_of(v)) != around.end();
+  };
+  // A step that writes down a whole polygon has no single value to look at.
+  const bool single = main != absent && end_new - first_new <= 3;
+  const double size = source.spatial() ? 0.75 : 1;
 
   for (const ValueId v : shown) {
     const bool made_now = v >= first_new && v < end_new && !graph.is_input(v);
-    const bool read = operands.contains(v);
-    const Role role = made_now ? Role::current : role_of(v);
-    if (read && !made_now) view.markers.push_back(marker(*source.points[v], Role::operand, 1, Marker::Shape::ring));
-    view.markers.push_back(marker(*source.points[v], role));
+    const bool loud = made_now && single;
+    const bool read = operands.contains(v) && single;
+    const Role role = loud ? Role::current : role_of(v);
+    if (read && !made_now) view.markers.push_back(marker(*source.points[v], Role::operand, 1.7 * size, Marker::Shape::ring));
+    view.markers.push_back(marker(*source.points[v], role, size));
     if (surface_done || (shown.size() > most_labels && !made_now && !read)) continue;
+    if (!made_now && !read && !here(v)) continue;
+    if (newest[{source.points[v]->x, source.points[v]->y, source.points[v]->z}] != v) continue;
     Label label;
     label.anchor = *source.points[v];
     label.text = typeset_name(graph.value(v).name, source.algorithm_at(graph.value(v).step));
-    label.role = made_now ? Role::text_current : (read ? Role::text_strong : (graph.is_input(v) ? Role::text : Role::text_quiet));
-    label.size_scale = made_now ? 1.15 : 1;
+    label.role = loud ? Role::text_current : (read ? Role::text_strong : (graph.is_input(v) || made_now ? Role::text : Role::text_quiet));
+    label.size_scale = loud ? 1.15 : 1;
     label.placement = Label::Placement::around;
     label.priority = made_now ? 30 : (read ? 15 : (graph.is_input(v) ? 5 : 0));
     label.optional = !made_now && !read;
@@ -335,7 +358,7 @@ View StepScenes::viewport(std::uint32_t step, double width, double height) const
                    source.value_text(from[0]), merge);
     } else if (points.size() == 2 && graph.value(main).kind == ValueKind::scalar) {
       view.polylines.push_back(line({*source.points[points[0]], *source.points[points[1]]}, Role::ratio_near));
-      for (const ValueId o : points) view.markers.push_back(marker(*source.points[o], Role::operand, 1, Marker::Shape::ring));
+      for (const ValueId o : points) view.markers.push_back(marker(*source.points[o], Role::operand, 1.7 * size, Marker::Shape::ring));
     }
   }
   return view;

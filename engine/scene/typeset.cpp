@@ -64,7 +64,7 @@ RichText typeset_text(std::string_view text, const Algorithm& algorithm) {
   RichText out;
   std::size_t plain = 0;  // text from here on is not yet in out
   for (std::size_t i = 0; i < text.size();) {
-    if (!is_letter(text[i]) || (i > 0 && is_word(text[i - 1]))) {
+    if (!is_letter(text[i]) || (i > plain && is_word(text[i - 1]))) {
       ++i;
       continue;
     }
@@ -101,6 +101,10 @@ RichText typeset_text(std::string_view text, const Algorithm& algorithm) {
       continue;
     }
     add_text(out, text.substr(plain, i - plain));
+    if (after + 1 < text.size() && text[after] == '.' && is_letter(text[after + 1]) && !indices.empty()) {
+      plain = i = after + 1;  // the scope of a name: the picture shows which one is meant
+      continue;
+    }
     add_name(out, symbol, indices, has_levels(algorithm, symbol, indices.size()));
     plain = i = after;
   }

@@ -169,14 +169,6 @@ std::vector<PolarLabel<S>> Trace<S>::polar_labels() const {
 }
 
 template <Scalar S>
-std::string to_string(const PolarLabel<S>& label) {
-  std::string text = "b(";
-  for (std::size_t i = 0; i < label.u.size(); ++i) text += (i > 0 ? ", " : "") + format_number(label.u[i]);
-  for (std::size_t i = 0; i < label.v.size(); ++i) text += (i > 0 ? ", " : "; ") + format_number(label.v[i]);
-  return text + ")";
-}
-
-template <Scalar S>
 bool Trace<S>::operator==(const Trace& other) const {
   if (dimension != other.dimension || rational != other.rational || value_count() != other.value_count() ||
       step_count() != other.step_count() || phases_ != other.phases_)
@@ -195,7 +187,5 @@ bool Trace<S>::operator==(const Trace& other) const {
 
 template class Trace<double>;
 template class Trace<Exact>;
-template std::string to_string(const PolarLabel<double>&);
-template std::string to_string(const PolarLabel<Exact>&);
 
 }  // namespace blossom

@@ -47,9 +47,7 @@ class TraceRecorder : private Trace<S> {
     const Id id = begin_value(name, &rule_info<Rule>, rule_info<Rule>.makes);
     if constexpr ((... && requires { this->operands_.push_back(operands.id); })) {
       // One growth check for all operands.
-      const std::size_t at = this->operands_.size();
-      this->operands_.resize(at + sizeof...(operands));
-      Id* out = this->operands_.data() + at;
+      Id* out = this->operands_.add(sizeof...(operands));
       ((*out++ = operands.id), ...);
     } else {
       (add_operand(operands), ...);
@@ -79,7 +77,7 @@ class TraceRecorder : private Trace<S> {
   }
   Traced<std::span<const S>, Id> list(const Name& name, const std::span<const S>& values) {
     const Id id = begin_value(name, nullptr, ValueKind::list);
-    this->numbers_.insert(this->numbers_.end(), values.begin(), values.end());
+    add_numbers(values);
     return {values, id};
   }
 
@@ -145,8 +143,13 @@ class TraceRecorder : private Trace<S> {
       step_open_ = true;
       open_first_ = id;
     }
-    this->values_.push_back({name, rule, this->step_count(), static_cast<std::uint32_t>(this->numbers_.size()),
-                             static_cast<std::uint32_t>(this->operands_.size()), kind});
+    ValueRecord& record = *this->values_.add(1);
+    record.name = name;
+    record.kind = kind;
+    record.step = this->step_count();
+    record.rule = rule;
+    record.numbers_at = static_cast<std::uint32_t>(this->numbers_.size());
+    record.operands_at = static_cast<std::uint32_t>(this->operands_.size());
     return id;
   }
   // Inputs given on the way join the step of the next value made.
@@ -171,16 +174,20 @@ class TraceRecorder : private Trace<S> {
   void add_numbers(int value) { this->numbers_.push_back(S(value)); }
   void add_numbers(const S& value) { this->numbers_.push_back(value); }
   void add_numbers(const HPoint<S>& value) {
-    const std::size_t at = this->numbers_.size();
-    this->numbers_.resize(at + 4);
-    S* out = this->numbers_.data() + at;
+    S* out = new_numbers(4);
     out[0] = value.x;
     out[1] = value.y;
     out[2] = value.z;
     out[3] = value.w;
   }
-  void add_numbers(const std::vector<S>& values) {
-    this->numbers_.insert(this->numbers_.end(), values.begin(), values.end());
+  void add_numbers(std::span<const S> values) { std::copy(values.begin(), values.end(), new_numbers(values.size())); }
+  S* new_numbers(std::size_t count) {
+    if constexpr (std::is_same_v<S, double>) {
+      return this->numbers_.add(count);
+    } else {
+      this->numbers_.resize(this->numbers_.size() + count);
+      return this->numbers_.data() + this->numbers_.size() - count;
+    }
   }
 };
 

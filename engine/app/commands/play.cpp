@@ -132,7 +132,7 @@ template <Scalar S>
 int play(const Subject& subject) {
   const auto recorded = record<S>(*subject.algorithm, subject.inputs);
   if (!recorded) return report(recorded.diagnostics);
-  const Narrator<S> narrator(*recorded);
+  const Narrator<S> narrator(*recorded, 6);
   Stepper<S>(subject, narrator).run(std::cin);
   return done;
 }

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <iostream>
 
@@ -27,6 +28,8 @@ struct Options {
   std::string theme = "light";
   std::string context = "osmesa";
 };
+
+constexpr std::uint32_t most_on_sheet = 24;
 
 bool parse_size(const std::string& text, double& width, double& height) {
   const auto x = text.find('x');
@@ -57,7 +60,7 @@ template <Scalar S>
 int draw(const Subject& subject, const Options& options, PageOptions page, const Theme& theme) {
   const auto recorded = record<S>(*subject.algorithm, subject.inputs);
   if (!recorded) return report(recorded.diagnostics);
-  const Narrator<S> narrator(*recorded);
+  const Narrator<S> narrator(*recorded, 6);
   const StepSource source = make_source(narrator);
   const StepScenes scenes(source);
   page.title = subject.title();
@@ -73,6 +76,17 @@ int draw(const Subject& subject, const Options& options, PageOptions page, const
   } else {
     steps.push_back(last);
   }
+
+  // A sheet of hundreds of steps shows nothing: then it has the lesson's beats, or steps at equal distances.
+  std::vector<std::uint32_t> on_sheet = steps;
+  if (steps.size() > most_on_sheet) {
+    on_sheet.clear();
+    if (subject.lesson && subject.lesson->beats.size() > 1)
+      for (const Beat& beat : subject.lesson->beats) on_sheet.push_back(beat.step);
+    else
+      for (std::uint32_t i = 0; i < most_on_sheet; ++i) on_sheet.push_back(i * last / (most_on_sheet - 1));
+  }
+  if (!options.all && options.step < 0 && !options.contact_sheet.empty()) steps = on_sheet;
 
   std::error_code error;
   fs::create_directories(options.out, error);
@@ -99,7 +113,7 @@ int draw(const Subject& subject, const Options& options, PageOptions page, const
       }
       if (each && !options.svg)
         saved = write_png(fs::path(options.out) / file_name(stem, step, last, ".png"), *image, title, scene.description);
-      if (!options.contact_sheet.empty()) {
+      if (!options.contact_sheet.empty() && std::ranges::find(on_sheet, step) != on_sheet.end()) {
         images.push_back(std::move(*image));
         captions.push_back("step " + std::to_string(step));
       }

@@ -1,0 +1,221 @@
+#include "grader/grade.hpp"
+
+#include <algorithm>
+
+namespace blossom {
+namespace {
+
+constexpr std::string_view verdict_names[verdict_count] = {"correct", "carried", "misconception", "slip",
+                                                           "wrong",   "missing", "invalid"};
+constexpr std::size_t longest_exact = 20;  // characters; 64 bits hold what fits in them
+
+// A number of many digits goes on in double precision: what is made of it must not grow from step to step.
+Numbers<Exact> to_carry_on(const Typed& typed) {
+  Numbers<Exact> numbers;
+  for (std::size_t i = 0; i < typed.numbers.size(); ++i)
+    numbers.push_back(typed.texts[i].size() <= longest_exact && typed.texts[i].find_first_of("eE") == std::string_view::npos
+                          ? typed.numbers[i]
+                          : Exact::approximate(typed.numbers[i].to_double()));
+  return numbers;
+}
+
+// A list stands in for a right one only if it has its form: as many numbers, in ascending order.
+bool can_carry_on(const Part& part, const Typed& typed) {
+  if (!typed.problem.empty()) return false;
+  if (part.kind != ValueKind::list) return true;
+  return typed.numbers.size() == part.right.size() && std::ranges::is_sorted(typed.numbers);
+}
+
+std::vector<double> roundings(const Part& part, const Typed& typed) {
+  if (part.tolerance.kind == Tolerance::Kind::exact) return {};
+  std::vector<double> rounding;
+  for (std::size_t i = 0; i < typed.texts.size(); ++i)
+    rounding.push_back(std::min(rounding_of(typed.texts[i]), slack(part.tolerance, typed.numbers[i]).to_double()));
+  return rounding;
+}
+
+std::string sentence(std::string_view text) {
+  std::string s(text);
+  if (!s.empty() && 'a' <= s[0] && s[0] <= 'z') s[0] = static_cast<char>(s[0] - 'a' + 'A');
+  if (!s.empty() && s.back() != '.' && s.back() != '!' && s.back() != '?') s += '.';
+  return s;
+}
+
+}  // namespace
+
+std::string_view verdict_name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
+
+double Grade::score() const { return (points / exercise->max_points).to_double(); }
+
+Grader::Grader(Exercise exercise)
+    : exercise_(std::move(exercise)),
+      plan_(exercise_),
+      known_mistakes_(exercise_, plan_),
+      own_mistakes_(exercise_, plan_) {}
+
+// The answers that are not right, with what is known of them so far.
+struct Grader::Open {
+  std::vector<Typed> typed;      // by part; read only where there is an answer that is not right
+  std::vector<char> is_open;     // has an answer of the right shape, and no verdict yet
+  std::vector<Given> as_meant;   // right answers stand for the right value
+  std::vector<Given> as_typed;   // right answers stand for what was typed, however rounded
+  bool rounded = false;          // whether the two can differ
+};
+
+Grade Grader::grade(const Checked<JsonDocument>& document, std::string student) const {
+  Grade grade;
+  grade.exercise = &exercise_;
+  grade.student = std::move(student);
+  grade.parts.resize(exercise_.parts.size());
+  Answers answers = match_answers(exercise_, document);
+  grade.notes = std::move(answers.notes);
+  if (!answers.reason.empty()) {
+    grade.reason = std::move(answers.reason);
+    for (PartGrade& part : grade.parts) part.verdict = Verdict::invalid;
+    return grade;
+  }
+  bool all_right = true;
+  for (std::size_t i = 0; i < grade.parts.size(); ++i) {
+    const Part& part = exercise_.parts[i];
+    PartGrade& made = grade.parts[i];
+    if (answers.part[i] != nullptr && match(part, *answers.part[i]) == Match::right) {
+      made.verdict = Verdict::correct;
+      made.points = part.points;
+      made.feedback = feedback(part, Verdict::correct, {});
+    } else {
+      all_right = false;
+    }
+  }
+  if (!all_right) explain(answers, grade);
+  for (const PartGrade& part : grade.parts) grade.points += part.points;
+  return grade;
+}
+
+void Grader::explain(const Answers& answers, Grade& grade) const {
+  const std::size_t count = exercise_.parts.size();
+  Open open;
+  open.typed.resize(count);
+  open.is_open.assign(count, 0);
+  open.as_meant.resize(count);
+  open.as_typed.resize(count);
+  bool any_open = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Part& part = exercise_.parts[i];
+    PartGrade& made = grade.parts[i];
+    if (answers.part[i] == nullptr) {
+      made.feedback = feedback(part, Verdict::missing, {});
+      continue;
+    }
+    const bool right = made.verdict == Verdict::correct;
+    if (right && part.tolerance.kind == Tolerance::Kind::exact) {
+      open.as_meant[i].kind = open.as_typed[i].kind = Given::Kind::right;
+      continue;
+    }
+    Typed& typed = open.typed[i];
+    typed = read_typed(part, *answers.part[i]);
+    if (!typed.problem.empty()) {
+      made.verdict = Verdict::invalid;
+      made.feedback = feedback(part, Verdict::invalid, typed.problem);
+      continue;
+    }
+    if (can_carry_on(part, typed)) {
+      open.as_typed[i] = {Given::Kind::typed, to_carry_on(typed)};
+      open.as_meant[i] = right ? Given{Given::Kind::right} : Given{Given::Kind::typed, to_carry_on(typed), roundings(part, typed)};
+      open.rounded = open.rounded || part.tolerance.kind != Tolerance::Kind::exact;
+    }
+    if (!right) open.is_open[i] = 1;
+    any_open = any_open || !right;
+  }
+  if (any_open) judge(open, grade);
+}
+
+void Grader::judge(const Open& open, Grade& grade) const {
+  const std::size_t count = exercise_.parts.size();
+  const auto settle = [&](std::size_t i, Verdict verdict, const Exact& share, std::string_view what, std::string_view id = {}) {
+    PartGrade& made = grade.parts[i];
+    made.verdict = verdict;
+    made.points = share * exercise_.parts[i].points;
+    made.misconception = id;
+    made.feedback = feedback(exercise_.parts[i], verdict, what);
+  };
+  std::vector<char> left = open.is_open;
+
+  // Carried: the right rule on their own values, as they meant them or as they wrote them down.
+  Replayed right(exercise_, plan_);
+  right.run(std::vector<Given>(count, Given{Given::Kind::right}));
+  Replayed meant(exercise_, plan_);
+  meant.run(open.as_meant);
+  std::optional<Replayed> written;
+  if (open.rounded) written.emplace(exercise_, plan_).run(open.as_typed);
+  std::vector<char> refused(count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (left[i] == 0) continue;
+    const Part& part = exercise_.parts[i];
+    const auto& typed = open.typed[i].numbers;
+    const auto carries = [&](const Replayed& own, const std::vector<double>& widening) {
+      return own.operands_changed(part.value) && agrees(part, own.expected(part.value), typed, widening);
+    };
+    if (!carries(meant, meant.widening(part)) && !(written && carries(*written, {}))) continue;
+    left[i] = 0;
+    refused[i] = meant.trivial(part.value) && !right.trivial(part.value) ? 1 : 0;
+    if (refused[i] != 0)
+      settle(i, Verdict::wrong, 0,
+             "It follows from your earlier values, but those are all equal or zero and leave nothing to compute, so it earns "
+             "no points.");
+    else
+      settle(i, Verdict::carried, exercise_.carried, {});
+  }
+
+  // Misconceptions: on the right values, which is known beforehand, or on their own.
+  std::vector<Numbers<Exact>> unexplained(count);
+  bool any_own = false;
+  const auto settle_misconception = [&](std::size_t i, const Misconception& m) {
+    left[i] = 0;
+    settle(i, Verdict::misconception, exercise_.misconception, sentence(m.title) + " " + std::string(m.advice), m.id);
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (left[i] == 0) continue;
+    if (const Misconception* known = known_mistakes_.find(i, open.typed[i].numbers)) {
+      settle_misconception(i, *known);
+    } else if (meant.operands_changed(exercise_.parts[i].value)) {
+      unexplained[i] = open.typed[i].numbers;
+      any_own = true;
+    }
+  }
+  if (any_own) {
+    const auto found = own_mistakes_.find(open.as_meant, unexplained);
+    for (std::size_t i = 0; i < count; ++i)
+      if (found[i] != nullptr) settle_misconception(i, *found[i]);
+  }
+
+  for (std::size_t i = 0; i < count; ++i) {
+    if (left[i] == 0) continue;
+    const Part& part = exercise_.parts[i];
+    auto slip = find_slip(part, exercise_.run.trace.numbers(part.value), open.typed[i]);
+    if (!slip && meant.operands_changed(part.value)) slip = find_slip(part, meant.expected(part.value), open.typed[i]);
+    if (slip)
+      settle(i, Verdict::slip, exercise_.slip, *slip);
+    else
+      settle(i, Verdict::wrong, 0, part.feedback);
+  }
+}
+
+std::string Grader::feedback(const Part& part, Verdict verdict, std::string_view what) const {
+  if (exercise_.feedback == Feedback::none || exercise_.feedback == Feedback::verdict) return {};
+  std::string text;
+  switch (verdict) {
+    case Verdict::correct: return "Correct.";
+    case Verdict::carried: text = "The right rule on your own earlier value."; break;
+    case Verdict::misconception:
+    case Verdict::slip: text = what; break;
+    case Verdict::wrong: text = what.empty() ? "Not the right value." : sentence(what); break;
+    case Verdict::missing: text = "No answer."; break;
+    case Verdict::invalid: text = "The answer cannot be read: it " + std::string(what) + "."; break;
+  }
+  if (exercise_.feedback == Feedback::full) return text + " Right is " + part.solution + ".";
+  // The rule is a help where it is not known yet; not to who already used it.
+  if (verdict == Verdict::wrong || verdict == Verdict::missing) text += " The rule is " + part.formula + ".";
+  return text;
+}
+
+}  // namespace blossom

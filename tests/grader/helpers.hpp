@@ -1,0 +1,117 @@
+#pragma once
+// What the grader's tests share: an exercise and its submissions from text.
+
+#include <catch2/catch.hpp>
+
+#include "grader/report/report.hpp"
+
+namespace blossom {
+
+inline std::unique_ptr<Grader> grader_of(const std::string& text) {
+  auto document = JsonDocument::parse("exercise.json", text);
+  INFO(to_string(document.diagnostics));
+  REQUIRE(document);
+  auto exercise = read_exercise(*document);
+  INFO(to_string(exercise.diagnostics));
+  REQUIRE(exercise);
+  return std::make_unique<Grader>(std::move(*exercise));
+}
+
+// An exercise of these parts; `more` are further members, each after a comma.
+inline std::string exercise_text(const std::string& algorithm, const std::string& inputs, const std::string& ask,
+                                 const std::string& more = "") {
+  return R"({"schema": "blossom.exercise/1", "id": "test", "title": "T", "prompt": "P", "algorithm": ")" + algorithm +
+         R"(", "inputs": )" + inputs + R"(, "ask": )" + ask + more + "}";
+}
+
+inline std::string answers_text(const std::string& answers) {
+  return R"({"schema": "blossom.answers/1", "exercise": "test", "answers": )" + answers + "}";
+}
+
+inline Grade grade_text(const Grader& grader, const std::string& text) {
+  return grader.grade(JsonDocument::parse("answers.json", text, submission_limits));
+}
+inline Grade grade_answers(const Grader& grader, const std::string& answers) {
+  return grade_text(grader, answers_text(answers));
+}
+
+inline const PartGrade& part(const Grade& grade, const std::string& name) {
+  const auto i = grade.exercise->part(name);
+  INFO(name);
+  REQUIRE(i.has_value());
+  return grade.parts[*i];
+}
+inline std::string verdict(const Grade& grade, const std::string& name) {
+  return std::string(verdict_name(part(grade, name).verdict));
+}
+
+// Numbers as a part's answer is typed; irrational ones as their double.
+inline std::string typed_text(const Part& part, const Numbers<Exact>& numbers) {
+  std::string text;
+  for (const Exact& x : numbers) text += (text.empty() ? "" : ", ") + json_quote(x.to_string());
+  return part.is_single() ? text : "[" + text + "]";
+}
+
+// The answers to all parts: the right ones, except where `other` says otherwise.
+inline std::string all_answers(const Exercise& exercise, const std::map<std::string, std::string>& other = {}) {
+  std::string text = "{";
+  for (const Part& part : exercise.parts) {
+    if (text.size() > 1) text += ", ";
+    const auto found = other.find(part.name);
+    text += json_quote(part.name) + ": " + (found == other.end() ? typed_text(part, part.right) : found->second);
+  }
+  return text + "}";
+}
+
+// The standard inputs: small, but every misconception shows in them.
+inline const char* const de_casteljau_inputs =
+    R"({"curve": {"degree": 3, "points": [[0, 0], [1, 3], [4, 4], [6, 1]]}, "u": "2/5"})";
+inline const char* const rational_bezier_inputs =
+    R"({"curve": {"degree": 3, "points": [[1, 0], [1, 3], [4, 4], [6, 1]], "weights": [1, 2, 3, 1]}, "u": "2/5"})";
+inline const char* const de_boor_inputs =
+    R"({"curve": {"degree": 3, "knots": [0, 0, 0, 0, "1/4", "1/2", "3/4", 1, 1, 1, 1],
+        "points": [[10, 0], [0, 1], [2, 20], [30, 21], [33, 0], [15, -3], [14, 10]]}, "u": "2/5"})";
+inline const char* const nurbs_inputs =
+    R"({"curve": {"degree": 3, "knots": [0, 0, 0, 0, "1/4", "1/2", "3/4", 1, 1, 1, 1],
+        "points": [[10, 0], [0, 1], [2, 20], [30, 21], [33, 0], [15, -3], [14, 10]], "weights": [1, 2, 3, 1, 2, 1, 1]},
+        "u": "2/5"})";
+inline const char* const insertion_inputs =
+    R"({"curve": {"degree": 3, "knots": [0, 0, 0, 0, "1/4", "1/2", "3/4", 1, 1, 1, 1],
+        "points": [[10, 0], [0, 1], [2, 20], [30, 21], [33, 0], [15, -3], [14, 10]], "weights": [1, 2, 3, 1, 2, 1, 1]},
+        "u": "2/5", "times": 2})";
+inline const char* const elevation_inputs =
+    R"({"curve": {"degree": 3, "knots": [0, 0, 0, 0, "1/2", 1, 1, 1, 1],
+        "points": [[1, 0], [0, 3], [4, 4], [6, 1], [9, 2]], "weights": [1, 2, 3, 1, 2]}, "times": 1})";
+inline const char* const skinning_inputs =
+    R"({"profiles": [{"degree": 1, "points": [[0, 0, 0], [1, 0, 0]]},
+                     {"degree": 2, "points": [[0, 1, 1], [1, 1, 2], [2, 1, 1]]},
+                     {"degree": 1, "points": [[0, 4, 0], [3, 4, 0]]},
+                     {"degree": 1, "points": [[0, 5, 0], [3, 6, 1]]}],
+        "degree_v": 2, "parametrization": "chord"})";
+
+struct Standard {
+  const char* algorithm;
+  const char* inputs;
+  const char* ask;
+};
+inline const Standard standards[] = {
+    {"de_casteljau", de_casteljau_inputs, R"([{"value": "P[1..3][*]", "points": 1}, {"value": "C", "points": 2}])"},
+    {"de_casteljau", rational_bezier_inputs, R"([{"value": "P[1..3][*]", "points": 1}, {"value": "C", "points": 2}])"},
+    {"de_boor", de_boor_inputs,
+     R"([{"value": "k", "points": 1}, {"value": "s", "points": 1}, {"value": "alpha[*][*]", "points": 1},
+         {"value": "P[1..3][*]", "points": 1}, {"value": "C", "points": 2}])"},
+    {"de_boor", nurbs_inputs,
+     R"([{"value": "k", "points": 1}, {"value": "alpha[*][*]", "points": 1}, {"value": "P[1..3][*]", "points": 1},
+         {"value": "C", "points": 2}])"},
+    {"knot_insertion", insertion_inputs,
+     R"([{"value": "k", "points": 1}, {"value": "alpha[*][*]", "points": 1}, {"value": "Q[1..2][*]", "points": 1},
+         {"value": "Ubar", "points": 2}, {"value": "Q[*]", "points": 1}])"},
+    {"degree_elevation", elevation_inputs,
+     R"([{"value": "alpha[*]", "points": 1}, {"value": "E[*][*]", "points": 1}, {"value": "V", "points": 1},
+         {"value": "Q[*]", "points": 1}])"},
+    {"skinning", skinning_inputs,
+     R"([{"value": "d[*][*]", "points": 1}, {"value": "e[*][*]", "points": 1}, {"value": "v[1..3]", "points": 1},
+         {"value": "V[3]", "points": 1}, {"value": "V", "points": 1}, {"value": "Q[*][*]", "points": 1}])"},
+};
+
+}  // namespace blossom
