@@ -162,21 +162,22 @@ class ExerciseReader {
     }
     if (!ran) return;
     const auto& trace = exercise.run.trace;
-    const auto values = selector->select(trace);
+    auto values = selector->select(trace);
     if (values.empty()) {
       const auto near = nearest_name(trace, *text);
-      value->error(excerpt(*text) + " matches no value of this run" + (near ? "; did you mean " + json_quote(*near) + "?" : "") +
-                   usual());
+      value->error(excerpt(*text) + " matches no value of this run; " +
+                   (near ? "did you mean " + json_quote(*near) + "?" : usual()));
       return;
     }
+    // P[*][*] means the points that are computed.
+    std::erase_if(values, [&](ValueId v) { return trace.is_input(v); });
+    if (values.empty()) value->error(excerpt(*text) + " is given and cannot be asked; " + usual());
     for (const ValueId v : values) {
       Part part = model;
       part.value = v;
       part.name = trace.name(v);
       part.kind = trace.value(v).kind;
-      if (trace.is_input(v)) {
-        value->error(json_quote(part.name) + " is given, it cannot be asked" + usual());
-      } else if (exercise.part_of_name.contains(part.name)) {
+      if (exercise.part_of_name.contains(part.name)) {
         value->error(json_quote(part.name) + " is asked twice");
       } else if (exercise.parts.size() == most_parts) {
         value->error("too many values are asked; at most " + std::to_string(most_parts));
@@ -190,7 +191,7 @@ class ExerciseReader {
   // What exercises on this algorithm usually ask.
   std::string usual() const {
     std::string text;
-    for (const auto& ask : exercise.run.algorithm->asks) text += (text.empty() ? "; usually asked: " : ", ") + std::string(ask);
+    for (const auto& ask : exercise.run.algorithm->asks) text += (text.empty() ? "usually asked: " : ", ") + std::string(ask);
     return text;
   }
 

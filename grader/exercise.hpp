@@ -5,7 +5,7 @@
 //    "ask": [{"value": selector, "points": n, "form"?, "as"?, "tolerance"?, "feedback"?: text}, ...],
 //    "tolerance"?, "carried"?: 0..1, "partial"?: {"misconception"?: 0..1, "slip"?: 0..1}, "feedback"?, "source"?, "unit"?}
 //
-// `points` are for each value the selector selects. exercises/exercise.schema.json describes every key.
+// `points` are for each value the selector selects; of its values those that are given are left out. exercises/exercise.schema.json describes every key.
 
 #include <filesystem>
 #include <string>

@@ -49,7 +49,7 @@ double add_pseudo_code(View& view, const StepSource& source, std::uint32_t step,
   const double row = 20;
   std::size_t longest = 1;
   for (const auto line : algorithm.pseudo_code) longest = std::max(longest, line.size());
-  const double size = std::min(0.86, (width - 34) / (static_cast<double>(longest) * 14 * 0.61));
+  const double size = std::min(0.86, (width - 26) / (static_cast<double>(longest) * 14 * 0.69));  // of a theme with larger text, too
   for (std::size_t i = 0; i < algorithm.pseudo_code.size(); ++i) {
     const bool here = static_cast<int>(i) + 1 == current;
     if (here) {

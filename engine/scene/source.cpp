@@ -30,6 +30,7 @@ StepSource make_source(const Narrator<S>& narrator) {
   source.graph = &run.trace;
   source.algorithm = run.algorithm;
   source.dimension = run.trace.dimension;
+  source.rational = run.trace.rational;
   for (const auto& [name, value] : run.inputs.values) {
     if (const auto* c = std::get_if<Curve<S>>(&value)) source.curves.push_back(in_double(*c));
     if (const auto* cs = std::get_if<std::vector<Curve<S>>>(&value))

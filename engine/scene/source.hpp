@@ -16,6 +16,7 @@ struct StepSource {
   const TraceGraph* graph = nullptr;
   const Algorithm* algorithm = nullptr;
   int dimension = 2;
+  bool rational = false;
   std::vector<Curve<double>> curves;              // of the inputs, in the order of the inputs' names
   std::optional<double> parameter;                // the input u, if there is one
   std::vector<std::optional<glm::dvec3>> points;  // of each value that is a point of its own and finite

@@ -352,10 +352,16 @@ View StepScenes::viewport(std::uint32_t step, double width, double height) const
       if (source.points[o] && graph.value(o).kind == ValueKind::point) points.push_back(o);
     if (from.size() == 3 && points.size() == 2 && source.points[main] && (rule->polar == Polar::blend || rule->polar == Polar::merge)) {
       // a of Blend belongs to the second point, a of Elevate to the first.
-      const double a = source.scalars[from[0]];
+      const glm::dvec3 &A = *source.points[points[0]], &B = *source.points[points[1]], &M = *source.points[main];
       const bool merge = rule->polar == Polar::merge;
-      add_division(view, *source.points[points[0]], *source.points[points[1]], *source.points[main], merge ? 1 - a : a,
-                   source.value_text(from[0]), merge);
+      double a = merge ? 1 - source.scalars[from[0]] : source.scalars[from[0]];
+      std::string share = source.value_text(from[0]);
+      if (source.rational && glm::length(B - A) > 0) {
+        // Weights pull the point along: the picture shows where it really divides the segment.
+        a = glm::dot(M - A, B - A) / glm::dot(B - A, B - A);
+        share = format_short(merge ? 1 - a : a, 4);
+      }
+      add_division(view, A, B, M, a, share, merge);
     } else if (points.size() == 2 && graph.value(main).kind == ValueKind::scalar) {
       view.polylines.push_back(line({*source.points[points[0]], *source.points[points[1]]}, Role::ratio_near));
       for (const ValueId o : points) view.markers.push_back(marker(*source.points[o], Role::operand, 1.7 * size, Marker::Shape::ring));

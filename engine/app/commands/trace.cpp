@@ -16,6 +16,27 @@ struct Options {
 
 std::string heading(const std::string& text) { return text + "\n" + std::string(text.size(), '=') + "\n\n"; }
 
+// A paragraph broken at blanks; lines after the first are indented. A word longer than a line has a line of its own.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  constexpr std::size_t width = 110;
+  std::string out;
+  std::size_t column = indent;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    if (column > indent && column + 1 + (end - at) > width) {
+      out += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (at > 0) {
+      out += " ";
+      ++column;
+    }
+    out += text.substr(at, end - at);
+    column += end - at;
+    at = end + 1;
+  }
+  return out;
+}
+
 template <Scalar S>
 std::string as_text(const Narrator<S>& narrator, const Subject& subject) {
   const auto& trace = narrator.trace();
@@ -28,10 +49,10 @@ std::string as_text(const Narrator<S>& narrator, const Subject& subject) {
   for (std::uint32_t step = 0; step < trace.step_count(); ++step) {
     const std::string number = std::to_string(step);
     const auto depth = trace.phase_path(trace.step(step).phase).size();
-    text += std::string(last.size() - number.size(), ' ') + number + "  " + std::string(2 * depth, ' ');
     const int line = narrator.line(step);
-    text += line > 0 ? "[" + std::to_string(line) + "] " : "";
-    text += subject.narration(narrator, step) + "\n";
+    const std::string head = std::string(last.size() - number.size(), ' ') + number + "  " + std::string(2 * depth, ' ') +
+                             (line > 0 ? "[" + std::to_string(line) + "] " : "");
+    text += head + wrapped(subject.narration(narrator, step), head.size()) + "\n";
   }
   if (const auto tableau = narrator.tableau(trace.step_count() - 1); !tableau.empty())
     text += "\nThe triangular scheme:\n\n" + tableau;

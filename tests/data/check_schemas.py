@@ -1,0 +1,261 @@
+"""Checks the published JSON Schemas: check_schemas.py ROOT BLOSSOM BLOSSOM-GRADE
+
+Every shipped lesson, exercise and answers file, and every trace and grade the two programs write of them, must be valid;
+a file with a mistake must not be; every key must have a description, for editors; nothing may need a network.
+Needs Debian's python3-jsonschema.
+"""
+
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+import warnings
+
+try:
+    import jsonschema
+except ImportError:
+    sys.exit("the Python module jsonschema is missing; on Debian: apt-get install python3-jsonschema")
+warnings.filterwarnings("ignore", category=DeprecationWarning)
+
+root, blossom, blossom_grade = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
+mistakes = []
+
+
+def schema_of(kind):
+    folder = "exercises" if kind in ("exercise", "answers", "grade") else "lessons"
+    return root / folder / f"{kind}.schema.json"
+
+
+def validator(kind):
+    path = schema_of(kind)
+    schema = json.loads(path.read_text())
+    resolver = jsonschema.RefResolver(base_uri=path.as_uri(), referrer=schema)
+    return jsonschema.Draft202012Validator(schema, resolver=resolver)
+
+
+KINDS = ("lesson", "exercise", "answers", "grade", "trace", "geometry", "algorithms")
+validators = {kind: validator(kind) for kind in KINDS}
+
+
+def must_be_valid(kind, name, document):
+    for error in validators[kind].iter_errors(document):
+        mistakes.append(f"{name}: {'/'.join(map(str, error.path))}: {error.message[:200]}")
+
+
+def run(*command):
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, cwd=root)
+    # 1: an input is at fault, which some of the sample answers are.
+    if done.returncode not in (0, 1):
+        mistakes.append(f"{' '.join(map(str, command))} ended with {done.returncode}: {done.stderr[:200]}")
+    return done.stdout
+
+
+def files(folder):
+    return [path for path in sorted((root / folder).glob("*.json")) if not path.name.endswith(".schema.json")]
+
+
+# A change to a document, as what it is and how to do it: set what stands at a path, or leave the path's last key out.
+def changed(document, path, value):
+    document = copy.deepcopy(document)
+    at = document
+    for step in path[:-1]:
+        at = at[step]
+    if value is LEFT_OUT:
+        del at[path[-1]]
+    else:
+        at[path[-1]] = value
+    return document
+
+
+LEFT_OUT = object()
+SPELLED_WRONG = {"spelled_wrong": 1}
+
+
+def must_be_invalid(kind, name, document, changes):
+    for path, value in changes:
+        if validators[kind].is_valid(changed(document, path, value)):
+            what = "left out" if value is LEFT_OUT else f"= {json.dumps(value)}"
+            mistakes.append(f"{name} is valid although {'/'.join(map(str, path))} is {what}")
+
+
+RUN_CHANGES = [
+    (["algorithm"], "de_bor"),
+    (["algorithm"], LEFT_OUT),
+    (["inputs"], LEFT_OUT),
+    (["inputs"], []),
+    (["inputs", "spelled_wrong"], 1),
+]
+CURVE_CHANGES = [
+    (["degree"], 0),
+    (["degree"], 26),
+    (["degree"], "3"),
+    (["degree"], LEFT_OUT),
+    (["points"], LEFT_OUT),
+    (["points"], [[0, 0]]),
+    (["points", 0], [0]),
+    (["points", 0], [0, 0, 0, 1]),
+    (["points", 0, 0], "2/0"),
+    (["points", 0, 0], "a half"),
+    (["points", 0, 0], "1e"),
+    (["points", 0, 0], None),
+    (["knot"], [0, 0, 1, 1]),
+    (["knots"], "0 0 1 1"),
+    (["weights"], 1),
+]
+
+
+def run_changes(document):
+    changes = RUN_CHANGES + [(["inputs", key], LEFT_OUT) for key in document["inputs"] if key not in ("times", "parametrization")]
+    changes += [(["inputs", key], "no such thing") for key in document["inputs"]]
+    if "curve" in document["inputs"]:
+        changes += [(["inputs", "curve"] + path, value) for path, value in CURVE_CHANGES]
+    return changes
+
+
+# The schemas themselves: sound, no host in them, and every key described.
+for kind in KINDS:
+    text = schema_of(kind).read_text()
+    schema = json.loads(text)
+    jsonschema.Draft202012Validator.check_schema(schema)
+
+    def check(node, where, kind=kind):
+        if isinstance(node, list):
+            for i, item in enumerate(node):
+                check(item, f"{where}/{i}")
+        if not isinstance(node, dict):
+            return
+        for key in ("$id", "$ref"):
+            if isinstance(node.get(key), str) and "://" in node[key]:
+                mistakes.append(f"{kind}.schema.json{where}: {key} names a host")
+        for key, member in node.get("properties", {}).items() if "type" in node else []:
+            described = member
+            while "description" not in described and "$ref" in described:
+                described = validators[kind].resolver.resolve(described["$ref"])[1]
+            if "description" not in described:
+                mistakes.append(f"{kind}.schema.json{where}: the key {key} has no description")
+        for key, member in node.items():
+            check(member, f"{where}/{key}")
+
+    check(schema, "")
+
+# Lessons, and the traces of them in both kinds of numbers.
+lessons = files("lessons")
+for path in lessons:
+    lesson = json.loads(path.read_text())
+    must_be_valid("lesson", path.name, lesson)
+    required = ("schema", "id", "title", "beats")
+    must_be_invalid("lesson", path.name, lesson, run_changes(lesson) + [([key], LEFT_OUT) for key in required] + [
+        (["spelled_wrong"], 1),
+        (["schema"], "blossom.lesson/2"),
+        (["id"], "Not an id"),
+        (["minutes"], 0),
+        (["beats"], []),
+        (["beats", 0, "say"], LEFT_OUT),
+        (["beats", 0, "say"], " "),
+        (["beats", 0, "at"], LEFT_OUT),
+        (["beats", 0, "at"], "P[1"),
+        (["beats", 0, "at"], {"step": -1}),
+        (["beats", 0, "at"], {"step": 0, "phase": "knots"}),
+        (["beats", 0, "highlight"], "P[0][0]"),
+        (["beats", 0, "spelled_wrong"], 1),
+    ])
+    for exact in ([], ["--exact"]):
+        trace = json.loads(run(blossom, "trace", path, "--format", "json", *exact))
+        must_be_valid("trace", f"the trace of {path.name} {' '.join(exact)}", trace)
+    required = ("schema", "exact", "dimension", "rational", "phases", "steps", "values", "result")
+    must_be_invalid("trace", f"the trace of {path.name}", trace, run_changes(trace) + [([key], LEFT_OUT) for key in required] + [
+        (["spelled_wrong"], 1),
+        (["dimension"], 4),
+        (["steps"], []),
+        (["steps", 0, "index"], -1),
+        (["steps", 0, "text"], LEFT_OUT),
+        (["values", 0, "kind"], "number"),
+        (["values", 0, "value"], "one"),
+        (["values", 0, "from"], LEFT_OUT),
+        (["values", 0, "spelled_wrong"], 1),
+        (["result"], {}),
+        (["result", "spelled_wrong"], 1),
+    ])
+
+# Exercises.
+exercises = files("exercises")
+for path in exercises:
+    exercise = json.loads(path.read_text())
+    must_be_valid("exercise", path.name, exercise)
+    required = ("schema", "id", "title", "prompt", "ask")
+    must_be_invalid("exercise", path.name, exercise, run_changes(exercise) + [([key], LEFT_OUT) for key in required] + [
+        (["spelled_wrong"], 1),
+        (["schema"], "blossom.exercise/2"),
+        (["ask"], []),
+        (["ask", 0, "value"], LEFT_OUT),
+        (["ask", 0, "points"], LEFT_OUT),
+        (["ask", 0, "spelled_wrong"], 1),
+        (["tolerance"], "roughly"),
+        (["tolerance"], {"decimals": "three"}),
+        (["tolerance"], {"decimals": 3, "absolute": 1}),
+        (["feedback"], "loud"),
+    ])
+
+# Sample answers (two of the class are no JSON on purpose), and the grades of the whole class.
+demo = files("exercises/demo-class")
+good = {}
+for path in demo:
+    try:
+        good[path] = json.loads(path.read_text())
+    except json.JSONDecodeError:
+        pass
+for path, answers in good.items():
+    must_be_valid("answers", path.name, answers)
+    must_be_invalid("answers", path.name, answers, [([key], LEFT_OUT) for key in ("schema", "exercise", "answers")] + [
+        (["spelled_wrong"], 1),
+        (["schema"], "blossom.answer/1"),
+        (["answers"], []),
+        (["answers", "k"], True),
+        (["answers", "k"], "four"),
+        (["answers", "k"], "1/0"),
+        (["answers", "k"], SPELLED_WRONG),
+        (["answers", "P[1][2]"], [[0, 16]]),
+        (["answers", "P[1"], 1),
+    ])
+asked = {answers["exercise"] for answers in good.values()}
+exercise = next(path for path in exercises if json.loads(path.read_text())["id"] in asked)
+grades = [json.loads(line) for line in run(blossom_grade, exercise, *demo, "--format", "json").splitlines()]
+if len(grades) != len(demo) or len(demo) - len(good) < 2:
+    mistakes.append(f"{len(demo)} sample answers, {len(good)} of them JSON, have {len(grades)} grades")
+for grade in grades:
+    name = f"the grade of {grade['student']}"
+    must_be_valid("grade", name, grade)
+    required = ("schema", "exercise", "score", "points", "max_points", "parts")
+    must_be_invalid("grade", name, grade, [([key], LEFT_OUT) for key in required] + [
+        (["spelled_wrong"], 1),
+        (["score"], 1.5),
+        (["points"], "1"),
+        (["parts"], []),
+        (["parts", 0, "verdict"], "great"),
+        (["parts", 0, "feedback"], LEFT_OUT),
+    ])
+
+# Geometry on its own: a curve and a surface.
+curve = {"degree": 2, "points": [[0, 0], [1, "1/2"], [2, 0]], "weights": [1, 0.5, "2"]}
+surface = {"degree": [1, 1], "knots": [[0, 0, 1, 1]] * 2, "points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]}
+must_be_valid("geometry", "a curve", curve)
+must_be_valid("geometry", "a surface", surface)
+must_be_invalid("geometry", "a curve", curve, CURVE_CHANGES)
+must_be_invalid("geometry", "a surface", surface, [
+    (["degree"], [1]),
+    (["degree"], 1),
+    (["knots"], [0, 0, 1, 1]),
+    (["points", 0], [0, 0, 0]),
+    (["weights"], [1, 1, 1, 1]),
+    (["spelled_wrong"], 1),
+])
+
+# What the schemas accept, `blossom lint` accepts too.
+linted = run(blossom, "lint", *lessons, *exercises, *good)
+expected = f"{len(lessons) + len(exercises) + len(good)} files are in order\n"
+if linted != expected:
+    mistakes.append(f"blossom lint said {linted!r}")
+
+print("\n".join(mistakes) or f"{len(lessons)} lessons, {len(exercises)} exercises, {len(good)} answers: all in order")
+sys.exit(1 if mistakes or len(lessons) < 8 or len(exercises) < 12 else 0)

@@ -1,0 +1,165 @@
+// Files nobody can trust: each gets its grade object, score 0 and a reason, and no other grade is touched.
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "grader/helpers.hpp"
+
+using namespace blossom;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::unique_ptr<Grader> grader_of_class() {
+  return grader_of(exercise_text("de_boor", de_boor_inputs, R"([{"value": "k", "points": 1}, {"value": "C", "points": 1}])"));
+}
+
+void check_invalid(const Grade& grade, const std::string& reason) {
+  INFO("reason: " << grade.reason);
+  CHECK(grade.reason.find(reason) != std::string::npos);
+  CHECK(grade.score() == 0);
+  REQUIRE(grade.parts.size() == 2);
+  for (const PartGrade& p : grade.parts) CHECK(p.verdict == Verdict::invalid);
+  // The grade object is JSON of its own schema, whatever was in the file.
+  std::string out;
+  write_json(grade, out);
+  const auto written = JsonDocument::parse("grade", out);
+  INFO(out);
+  REQUIRE(written);
+  CHECK(written->root().find("score")->text == "0");
+  CHECK(written->root().find("reason") != nullptr);
+}
+
+}  // namespace
+
+TEST_CASE("documents that are no answers are invalid as a whole, with the reason") {
+  const auto grader = grader_of_class();
+  const auto check = [&](const std::string& text, const std::string& reason) {
+    INFO(text.substr(0, 60));
+    check_invalid(grade_text(*grader, text), reason);
+  };
+  check("", "empty");
+  check("   ", "empty");
+  check("not json", "unexpected");
+  check("[]", "must be an object");
+  check("null", "must be an object");
+  check("{}", "\"schema\" must be");
+  check(R"({"schema": "blossom.answers/2", "exercise": "test", "answers": {}})", "not \"blossom.answers/2\"");
+  check(R"({"schema": "blossom.answers/1", "exercise": "other", "answers": {}})", "\"exercise\" must be \"test\", not \"other\"");
+  check(R"({"schema": "blossom.answers/1", "answers": {}})", "\"exercise\" must be");
+  check(R"({"schema": "blossom.answers/1", "exercise": "test"})", "\"answers\" must be an object");
+  check(R"({"schema": "blossom.answers/1", "exercise": "test", "answers": [4]})", "\"answers\" must be an object");
+  check(R"({"schema": 1, "exercise": "test", "answers": {}})", "\"schema\" must be");
+}
+
+TEST_CASE("what a JSON reader may let pass is refused") {
+  const auto grader = grader_of_class();
+  const auto check = [&](const std::string& text, const std::string& reason) {
+    INFO(text.substr(0, 60));
+    check_invalid(grade_text(*grader, text), reason);
+  };
+  check(answers_text(R"({"k": 3, "k": 4})"), "duplicate key");
+  check(R"({"schema": "blossom.answers/1", "exercise": "test", "answers": {}, "answers": {"k": 4}})", "duplicate key");
+  check(answers_text(R"({"k": 4})") + std::string(1, '\0'), "NUL");
+  check(answers_text(R"({"k": 4})") + "x", "expected the end");
+  check(answers_text(R"({"k": 1e400})"), "too large");
+  check(answers_text(R"({"k": NaN})"), "unexpected");
+  check(answers_text("{\"k\": \"\xff\"}"), "UTF-8");
+  check(answers_text("{\"k\": \"\\ud800\"}"), "surrogate");
+  check(answers_text("{\"k\": \"\n\"}"), "line break");
+}
+
+TEST_CASE("numbers at the limits of double are read as what they are") {
+  const auto grader = grader_of(exercise_text("de_casteljau", R"({"curve": {"degree": 1, "points": [[0, 0], ["1e-400", 18446744073709551617]]}, "u": 1})",
+                                              R"([{"value": "P[1][0]", "points": 1}])"));
+  // Past 64 bits, and below the smallest double.
+  CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [1e-400, 18446744073709551617]})"), "P[1][0]") == "correct");
+  CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [0, 18446744073709551617]})"), "P[1][0]") != "correct");
+  CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [1e-400, 18446744073709551616]})"), "P[1][0]") != "correct");
+}
+
+TEST_CASE("limits: 64 KiB, 32 levels, 4096 values") {
+  const auto grader = grader_of_class();
+  const std::string good = answers_text(R"({"k": 4})");
+  const std::string full = good + std::string((64u << 10) - good.size(), ' ');
+  CHECK(verdict(grade_text(*grader, full), "k") == "correct");
+  check_invalid(grade_text(*grader, full + " "), "too large; at most 65536 bytes");
+
+  const auto nested = [](int levels) {  // the two objects around it are levels, too
+    return answers_text("{\"k\": " + std::string(static_cast<std::size_t>(levels), '[') + std::string(static_cast<std::size_t>(levels), ']') + "}");
+  };
+  CHECK(verdict(grade_text(*grader, nested(30)), "k") == "invalid");
+  CHECK(grade_text(*grader, nested(30)).reason.empty());
+  check_invalid(grade_text(*grader, nested(31)), "nested too deep; at most 32 levels");
+  check_invalid(grade_text(*grader, nested(30000)), "nested too deep");
+
+  const auto many = [](int count) {
+    std::string text = "{\"k\": [0";
+    for (int i = 1; i < count; ++i) text += ",0";
+    return answers_text(text + "]}");
+  };
+  CHECK(grade_text(*grader, many(4096 - 5)).reason.empty());  // the root, schema, exercise, answers and the array
+  check_invalid(grade_text(*grader, many(4096 - 4)), "too many values; at most 4096");
+}
+
+TEST_CASE("names and texts with control characters come out harmless") {
+  const auto grader = grader_of_class();
+  Grade grade = grader->grade(JsonDocument::parse("a", answers_text(R"({"k": "\u001b[31m4", "\u0007\u009b2J": 1})")), "bob\x1b[2J\n");
+  std::string text, json;
+  report_formats();
+  for (const ReportFormat* format : report_formats()) {
+    std::string& out = format->name == "json" ? json : text;
+    const auto report = format->open(grader->exercise(), 2);
+    report->add(grade, out);
+    report->finish(out);
+  }
+  CHECK(text.find('\x1b') == std::string::npos);
+  CHECK(text.find('\x07') == std::string::npos);
+  CHECK(text.find("\xc2\x9b") == std::string::npos);
+  CHECK(text.find("bob\\x1B[2J\\x0A") != std::string::npos);
+  CHECK(json.find('\x1b') == std::string::npos);
+  CHECK(std::count(json.begin(), json.end(), '\n') == 1);
+  CHECK(JsonDocument::parse("grade", json.substr(0, json.size() - 1)));
+}
+
+TEST_CASE("long numbers are judged, and carried on in double precision") {
+  const auto grader = grader_of(exercise_text(
+      "de_casteljau", R"({"curve": {"degree": 25, "points": [[0,0],[1,3],[2,1],[3,5],[4,2],[5,2],[6,7],[7,1],[8,4],[9,9],[10,1],[11,3],[12,6],
+      [13,5],[14,3],[15,1],[16,2],[17,8],[18,2],[19,4],[20,6],[21,1],[22,3],[23,7],[24,1],[25,0]]}, "u": "1/3"})",
+      R"([{"value": "P[1][*]", "points": 1}, {"value": "C", "points": 1}])"));
+  std::string answers = "{";
+  for (int i = 0; i < 25; ++i) {
+    const std::string digits = std::string(180, static_cast<char>('1' + i % 9));
+    answers += "\"P[1][" + std::to_string(i) + "]\": [\"" + digits + "/" + digits.substr(7) + "1\", \"1e" + std::to_string(200 + i) + "\"], ";
+  }
+  const Grade grade = grade_answers(*grader, answers + R"("C": [1, 2]})");
+  CHECK(verdict(grade, "C") == "wrong");
+  CHECK(grade.reason.empty());
+}
+
+TEST_CASE("paths that are no files are invalid submissions") {
+  const auto grader = grader_of_class();
+  const fs::path folder = fs::temp_directory_path() / ("blossom-hostile-" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  const auto good = folder / "good.json";
+  std::ofstream(good) << answers_text(R"({"k": 4})");
+  const auto load = [&](const fs::path& path) { return grader->grade(JsonDocument::load(path, submission_limits), path.stem().string()); };
+  check_invalid(load(folder / "missing.json"), "cannot be read");
+  check_invalid(load(folder), "not a folder");
+  check_invalid(load("/dev/zero"), "not a device");
+  const auto pipe = folder / "pipe.json";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  check_invalid(load(pipe), "not a pipe");
+  const auto dangling = folder / "dangling.json", loop = folder / "loop.json", link = folder / "link.json";
+  fs::create_symlink(folder / "nowhere", dangling);
+  fs::create_symlink(loop, loop);
+  fs::create_symlink(good, link);
+  check_invalid(load(dangling), "cannot be read");
+  check_invalid(load(loop), "cannot be read");
+  CHECK(verdict(load(link), "k") == "correct");  // after all of that
+  CHECK(load(folder / "missing.json").reason.find(folder.string()) == std::string::npos);
+  fs::remove_all(folder);
+}

@@ -1,0 +1,225 @@
+// Every verdict, and the contract of all algorithms: their own answers are right, and any other is not.
+
+#include "grader/helpers.hpp"
+
+using namespace blossom;
+
+namespace {
+
+const std::string tolerances = R"(, "tolerance": {"decimals": 6})";
+
+std::unique_ptr<Grader> standard(const Standard& s) { return grader_of(exercise_text(s.algorithm, s.inputs, s.ask, tolerances)); }
+
+std::unique_ptr<Grader> de_boor_grader(const std::string& more = "") {
+  return grader_of(exercise_text("de_boor", de_boor_inputs, standards[2].ask, more));
+}
+
+}  // namespace
+
+TEST_CASE("a trace's own answers are right, and with any one value changed they are not") {
+  for (const Standard& s : standards) {
+    const auto grader = standard(s);
+    const Exercise& exercise = grader->exercise();
+    INFO(s.algorithm);
+    const Grade full = grade_answers(*grader, all_answers(exercise));
+    CHECK(full.score() == 1);
+    for (const PartGrade& p : full.parts) CHECK(p.verdict == Verdict::correct);
+    for (const Part& part : exercise.parts)
+      for (std::size_t i = 0; i < part.right.size(); ++i) {
+        Numbers<Exact> changed = part.right;
+        changed[i] += Exact::ratio(1, 3);
+        const Grade grade = grade_answers(*grader, all_answers(exercise, {{part.name, typed_text(part, changed)}}));
+        INFO(part.name << " " << i);
+        CHECK(grade.score() < 1);
+        const Verdict made = grade.parts[*exercise.part(part.name)].verdict;
+        CHECK(made != Verdict::correct);
+        CHECK(made != Verdict::carried);
+        for (std::size_t other = 0; other < exercise.parts.size(); ++other)
+          if (exercise.parts[other].name != part.name) CHECK(grade.parts[other].verdict == Verdict::correct);
+      }
+  }
+}
+
+TEST_CASE("an early mistake costs its own points and no others") {
+  const auto grader = de_boor_grader();
+  // alpha[1][3] = 1/2 instead of 8/15; everything behind it follows by the right rules.
+  const Grade grade = grade_answers(
+      *grader, all_answers(grader->exercise(), {{"alpha[1][3]", "0.5"},
+                                                {"P[1][3]", R"([16, "41/2"])"},
+                                                {"P[2][3]", R"(["66/5", "98/5"])"},
+                                                {"P[2][4]", R"(["1029/50", "487/25"])"},
+                                                {"P[3][4]", R"(["11007/625", "12222/625"])"},
+                                                {"C", R"(["11007/625", "12222/625"])"}}));
+  CHECK(verdict(grade, "alpha[1][3]") == "wrong");
+  CHECK(verdict(grade, "P[1][3]") == "carried");
+  CHECK(verdict(grade, "P[1][2]") == "correct");
+  CHECK(grade.parts[0].verdict == Verdict::correct);
+}
+
+TEST_CASE("carried values chain through all levels, by the student's own numbers at each") {
+  const auto grader = grader_of(
+      exercise_text("de_casteljau", R"({"curve": {"degree": 3, "points": [[0, 0], [2, 4], [6, 4], [8, 0]]}, "u": "1/2"})",
+                    R"([{"value": "P[1..3][*]", "points": 2}, {"value": "C", "points": 2}])", R"(, "carried": "1/2")"));
+  // Right: P1 = (1,2) (4,4) (7,2); P2 = (5/2,3) (11/2,3); P3 = (4,3). The student has P[1][0] = (1,1).
+  const Grade grade = grade_answers(*grader, R"({"P[1][0]": [1, 1], "P[1][1]": [4, 4], "P[1][2]": [7, 2],
+      "P[2][0]": [2.5, 2.5], "P[2][1]": [5.5, 3], "P[3][0]": [4, 2.75], "C": [4, "11/4"]})");
+  CHECK(verdict(grade, "P[1][0]") == "wrong");
+  CHECK(verdict(grade, "P[1][1]") == "correct");
+  CHECK(verdict(grade, "P[2][0]") == "carried");
+  CHECK(verdict(grade, "P[2][1]") == "correct");
+  CHECK(verdict(grade, "P[3][0]") == "carried");
+  CHECK(verdict(grade, "C") == "carried");
+  CHECK(part(grade, "C").points == Exact(1));
+  CHECK(grade.points == Exact(9));  // 3 right of 2 points, 3 carried of half of that
+  CHECK(part(grade, "C").feedback.starts_with("The right rule on your own earlier value."));
+}
+
+TEST_CASE("a value carried through levels nobody asked is found") {
+  const auto grader = grader_of(
+      exercise_text("de_casteljau", R"({"curve": {"degree": 3, "points": [[0, 0], [2, 4], [6, 4], [8, 0]]}, "u": "1/2"})",
+                    R"([{"value": "P[1][0]", "points": 1}, {"value": "C", "points": 1}])"));
+  CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [1, 1], "C": [4, 2.75]})"), "C") == "carried");
+}
+
+TEST_CASE("the right value is correct whatever came before, and then carries as the right one") {
+  const auto grader = de_boor_grader();
+  const Grade grade = grade_answers(*grader, all_answers(grader->exercise(), {{"alpha[1][3]", "0.5"}}));
+  CHECK(verdict(grade, "P[1][3]") == "correct");
+  CHECK(verdict(grade, "C") == "correct");
+}
+
+TEST_CASE("a rounded value carries: as it was meant, and as it was written down") {
+  const auto grader = grader_of(exercise_text("de_boor", de_boor_inputs, standards[2].ask, R"(, "tolerance": {"decimals": 2})"));
+  // alpha[1][3] = 1/3 by mistake, written as 0.33. With 1/3: P[1][3] = (34/3, 61/3); with 0.33: (11.24, 20.33).
+  for (const char* point : {"[11.33, 20.33]", "[11.24, 20.33]"}) {
+    INFO(point);
+    CHECK(verdict(grade_answers(*grader, all_answers(grader->exercise(), {{"alpha[1][3]", "0.33"}, {"P[1][3]", point}})), "P[1][3]") ==
+          "carried");
+  }
+  CHECK(verdict(grade_answers(*grader, all_answers(grader->exercise(), {{"alpha[1][3]", "0.33"}, {"P[1][3]", "[11.9, 20.33]"}})),
+                "P[1][3]") == "wrong");
+  // Right values rounded are no licence: P[1][2] = (8/5, 81/5) by alpha = 0.80.
+  CHECK(verdict(grade_answers(*grader, all_answers(grader->exercise(), {{"alpha[1][2]", "0.80"}, {"P[1][2]", "[1.61, 16.2]"}})),
+                "P[1][2]") == "wrong");
+}
+
+TEST_CASE("carried credit is refused where the own values leave nothing to compute") {
+  const auto grader = grader_of(
+      exercise_text("de_casteljau", R"({"curve": {"degree": 3, "points": [[0, 0], [2, 4], [6, 4], [8, 0]]}, "u": "1/2"})",
+                    R"([{"value": "P[1..3][*]", "points": 2}, {"value": "C", "points": 2}])"));
+  for (const char* same : {"[0, 0]", "[5, 7]"}) {
+    INFO(same);
+    std::map<std::string, std::string> all_same;
+    for (const Part& p : grader->exercise().parts) all_same[p.name] = same;
+    const Grade grade = grade_answers(*grader, all_answers(grader->exercise(), all_same));
+    for (const char* name : {"P[2][0]", "P[2][1]", "P[3][0]"}) CHECK(verdict(grade, name) == "wrong");
+    CHECK(grade.points <= Exact(2));  // C is the same point as P[3][0], and copying it is all there is to do
+    CHECK(part(grade, "P[2][0]").feedback.find("all equal or zero") != std::string::npos);
+  }
+  // Of levels nobody asked as well.
+  const auto sparse = grader_of(
+      exercise_text("de_casteljau", R"({"curve": {"degree": 3, "points": [[0, 0], [2, 4], [6, 4], [8, 0]]}, "u": "1/2"})",
+                    R"([{"value": "P[1][*]", "points": 1}, {"value": "C", "points": 1}])"));
+  CHECK(verdict(grade_answers(*sparse, R"({"P[1][0]": [5, 7], "P[1][1]": [5, 7], "P[1][2]": [5, 7], "C": [5, 7]})"), "C") == "wrong");
+}
+
+TEST_CASE("points that coincide in the exercise itself are no trick") {
+  const auto grader = grader_of(
+      exercise_text("de_casteljau", R"({"curve": {"degree": 2, "points": [[0, 0], [2, 2], [2, 2]]}, "u": "1/2"})",
+                    R"([{"value": "P[1..2][*]", "points": 1}, {"value": "C", "points": 1}])"));
+  const Grade grade = grade_answers(*grader, R"({"P[1][0]": [5, 3], "P[1][1]": [2, 2], "P[2][0]": [3.5, 2.5], "C": [3.5, 2.5]})");
+  CHECK(verdict(grade, "P[2][0]") == "carried");
+  CHECK(verdict(grade, "C") == "carried");
+}
+
+TEST_CASE("slips: a sign, all signs, exchanged coordinates, transposed digits") {
+  const auto grader =
+      grader_of(exercise_text("de_casteljau", R"({"curve": {"degree": 2, "points": [[0, 10], [24, 44], [22, 22]]}, "u": "1/2"})",
+                              R"([{"value": "P[1..2][*]", "points": 1}])", R"(, "partial": {"slip": "1/4"})"));
+  // P1 = (12, 27) (23, 33); P2 = (35/2, 30).
+  const auto slip = [&](const char* answer) { return part(grade_answers(*grader, std::string(R"({"P[1][0]": )") + answer + "}"), "P[1][0]"); };
+  CHECK(slip("[-12, 27]").feedback.starts_with("The sign of x is wrong."));
+  CHECK(slip("[12, -27]").feedback.starts_with("The sign of y is wrong."));
+  CHECK(slip("[-12, -27]").feedback.starts_with("All signs are wrong."));
+  CHECK(slip("[27, 12]").feedback.starts_with("Two numbers are exchanged: x and y."));
+  CHECK(slip("[12, 72]").feedback.starts_with("Two digits are transposed in y."));
+  CHECK(slip("[12, 72]").verdict == Verdict::slip);
+  CHECK(slip("[12, 72]").points == Exact::ratio(1, 4));
+  CHECK(slip("[13, 28]").verdict == Verdict::wrong);
+  // A slip is also told from what the own values make expected: P[1][0] = (14, 27) makes P[2][0] = (37/2, 30).
+  CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [14, 27], "P[1][1]": [23, 33], "P[2][0]": [-18.5, 30]})"), "P[2][0]") == "slip");
+}
+
+TEST_CASE("missing and invalid parts, with the reason") {
+  const auto grader = de_boor_grader();
+  const auto invalid = [&](const char* name, const char* answer) {
+    const Grade grade = grade_answers(*grader, "{" + json_quote(name) + ": " + answer + "}");
+    INFO(name << " " << answer);
+    CHECK(verdict(grade, name) == "invalid");
+    CHECK(grade.reason.empty());
+    CHECK(grade.points == Exact(0));
+    return part(grade, name).feedback;
+  };
+  CHECK(invalid("k", "[4]").find("must be a whole number such as 3, not an array of 1") != std::string::npos);
+  CHECK(invalid("P[1][2]", "[1, 2, 3]").find("must be an array of 2 numbers") != std::string::npos);
+  CHECK(invalid("P[1][2]", "{\"x\": 1, \"y\": 2}").find("not an object") != std::string::npos);
+  for (const char* answer : {"null", "true", "\"NaN\"", "\"1/0\"", "\"1e999999999\"", "\"\"", "\"four\"", "{}", "[]", "[[4]]", "\"1 000\"",
+                             "\"0x4\"", "\"inf\""})
+    invalid("k", answer);
+  invalid("k", ("\"" + std::string(10000, '7') + "\"").c_str());
+  invalid("P[1][2]", "[1, null]");
+  invalid("P[1][2]", "[1, [2]]");
+  invalid("P[1][2]", "[1, \"2/0\"]");
+  const Grade empty = grade_answers(*grader, "{}");
+  for (const PartGrade& p : empty.parts) CHECK(p.verdict == Verdict::missing);
+  CHECK(empty.score() == 0);
+}
+
+TEST_CASE("an answer nobody asked is a note, and costs nothing") {
+  const auto grader = de_boor_grader();
+  const Grade grade = grade_answers(*grader, R"({"P[1][02]": 1, "k": 4, "zzz\u001b[2J": 2})");
+  CHECK(verdict(grade, "k") == "correct");
+  REQUIRE(grade.notes.size() == 2);
+  CHECK(grade.notes[0] == "\"P[1][02]\" is not asked and was ignored; did you mean \"P[1][2]\"?");
+  std::string many = "{";
+  for (int i = 0; i < 100; ++i) many += (i > 0 ? ", \"x" : "\"x") + std::to_string(i) + "\": 1";
+  CHECK(grade_answers(*grader, many + "}").notes.back() == "90 more were ignored");
+}
+
+TEST_CASE("knot vectors are lists, or sets where the exercise says so") {
+  const auto grader = grader_of(exercise_text("knot_insertion", insertion_inputs, R"([{"value": "Ubar", "points": 1, "as": "set"}])"));
+  const auto list = grader_of(exercise_text("knot_insertion", insertion_inputs, R"([{"value": "Ubar", "points": 1}])"));
+  const std::string in_order = R"([0, 0, 0, 0, 0.25, 0.4, 0.4, 0.5, 0.75, 1, 1, 1, 1])";
+  const std::string mixed = R"([0.4, 1, 1, 1, 1, 0, 0.25, 0, 0, 0.4, 0, 0.5, 0.75])";
+  const std::string once = R"([0, 0, 0, 0, 0.25, 0.4, 0.5, 0.75, 1, 1, 1, 1])";
+  CHECK(verdict(grade_answers(*list, R"({"Ubar": )" + in_order + "}"), "Ubar") == "correct");
+  CHECK(verdict(grade_answers(*list, R"({"Ubar": )" + mixed + "}"), "Ubar") == "wrong");
+  CHECK(verdict(grade_answers(*list, R"({"Ubar": )" + once + "}"), "Ubar") == "wrong");
+  CHECK(verdict(grade_answers(*list, R"({"Ubar": []})"), "Ubar") == "wrong");
+  CHECK(verdict(grade_answers(*grader, R"({"Ubar": )" + mixed + "}"), "Ubar") == "correct");
+  CHECK(verdict(grade_answers(*grader, R"({"Ubar": {"set": )" + mixed + "}}"), "Ubar") == "correct");
+  CHECK(verdict(grade_answers(*grader, R"({"Ubar": {"set": )" + once + "}}"), "Ubar") == "wrong");  // multiplicity counts
+  CHECK(verdict(grade_answers(*grader, R"({"Ubar": {"sets": []}})"), "Ubar") == "invalid");
+}
+
+TEST_CASE("each ask may have its own tolerance") {
+  const auto grader = grader_of(exercise_text("de_boor", de_boor_inputs,
+                                              R"([{"value": "alpha[1][3]", "points": 1},
+                                                  {"value": "alpha[2][4]", "points": 1, "tolerance": {"absolute": "1/10"}}])",
+                                              R"(, "tolerance": {"decimals": 2})"));
+  const Grade grade = grade_answers(*grader, R"({"alpha[1][3]": 0.53, "alpha[2][4]": 0.4})");  // 8/15 and 3/10
+  CHECK(verdict(grade, "alpha[1][3]") == "correct");
+  CHECK(verdict(grade, "alpha[2][4]") == "correct");
+}
+
+TEST_CASE("feedback tells as much as the exercise allows") {
+  const auto told = [](const char* level) {
+    const auto grader = de_boor_grader(std::string(R"(, "feedback": ")") + level + "\"");
+    return part(grade_answers(*grader, R"({"alpha[1][3]": 0.7})"), "alpha[1][3]").feedback;
+  };
+  CHECK(told("none").empty());
+  CHECK(told("verdict").empty());
+  CHECK(told("hint") == "Not the right value. The rule is alpha[1][3] = (u - U[3]) / (U[6] - U[3]).");
+  CHECK(told("full").starts_with("Not the right value. Right is alpha[1][3] = (u - U[3]) / (U[6] - U[3]) = "));
+  CHECK(told("full").ends_with(" = 8/15."));
+}

@@ -1,0 +1,188 @@
+#include "lesson/lesson.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace blossom;
+
+namespace {
+
+JsonDocument parsed(const std::string& text) {
+  auto document = JsonDocument::parse("lesson.json", text);
+  INFO(to_string(document.diagnostics));
+  REQUIRE(document);
+  return *std::move(document);
+}
+
+const std::string header = R"({"schema": "blossom.lesson/1", "id": "a-lesson", "title": "A lesson", )";
+const std::string parabola = R"("algorithm": "de_casteljau",
+  "inputs": {"curve": {"degree": 2, "points": [[0, 0], [2, 4], [4, 0]]}, "u": "1/4"}, )";
+const std::string raised = R"("algorithm": "degree_elevation",
+  "inputs": {"curve": {"degree": 1, "knots": [0, 0, 1, 2, 2], "points": [[0, 0], [2, 4], [4, 0]]}, "times": 2}, )";
+
+// Of a lesson on the parabola with these beats: what is wrong.
+std::string mistakes(const std::string& beats, const std::string& run = parabola) {
+  const auto lesson = load_lesson(parsed(header + run + "\n\"beats\": [" + beats + "]}"));
+  CHECK(lesson.value.has_value() == lesson.diagnostics.empty());  // a lesson or reasons, never both, never neither
+  return to_string(lesson.diagnostics);
+}
+
+Lesson lesson_of(const std::string& beats, const std::string& run = parabola) {
+  auto lesson = load_lesson(parsed(header + run + "\"beats\": [" + beats + "]}"));
+  INFO(to_string(lesson.diagnostics));
+  REQUIRE(lesson);
+  return *std::move(lesson);
+}
+
+std::string beat(const std::string& at, const std::string& say = "Look.") {
+  return "{\"at\": " + at + ", \"say\": \"" + say + "\"}";
+}
+
+}  // namespace
+
+TEST_CASE("a lesson is its run, and what is said at its steps") {
+  const auto lesson = lesson_of(beat("\"start\"", "Where is u = {u}?") + "," + beat("\"P[1][*]\"", "{numbers} = {value}") + "," +
+                                beat("{\"step\": 3}", "Between {P[1][0]} and {P[1][1]}.") + "," + beat("\"end\"", "C = {C}"));
+  CHECK(lesson.id == "a-lesson");
+  CHECK(lesson.title == "A lesson");
+  CHECK(lesson.algorithm == find_algorithm("de_casteljau"));
+  CHECK(lesson.minutes == 0);
+
+  const auto run = record<Exact>(*lesson.algorithm, lesson.inputs);
+  REQUIRE(run);
+  const Narrator<Exact> narrator(*run);
+  REQUIRE(run->trace.step_count() == 5);
+  CHECK(lesson.narration(narrator, 0) == "Where is u = 1/4?");
+  CHECK(lesson.narration(narrator, 1) == "(1 - 1/4) (0, 0) + 1/4 (2, 4) = (1/2, 1)");
+  CHECK(lesson.narration(narrator, 2) == narrator.text(2));  // no beat: the algorithm's own words
+  CHECK(lesson.narration(narrator, 3) == "Between (1/2, 1) and (5/2, 3).");
+  CHECK(lesson.narration(narrator, 4) == "C = (1, 3/2)");
+}
+
+TEST_CASE("the same lesson in doubles") {
+  const auto lesson = lesson_of(beat("\"end\"", "C({u}) = {C}"));
+  const auto run = record<double>(*lesson.algorithm, lesson.inputs);
+  REQUIRE(run);
+  CHECK(lesson.narration(Narrator<double>(*run), 4) == "C(0.25) = (1, 1.5)");
+}
+
+TEST_CASE("a beat at a selector stands where its first value is made") {
+  const auto lesson = lesson_of(beat("\"P[1..2][*]\"") + "," + beat("\"P[2][0]\""));
+  REQUIRE(lesson.beats.size() == 2);
+  CHECK(lesson.beats[0].step == 1);
+  CHECK(lesson.beats[1].step == 3);
+  CHECK(lesson.beat_at(2) == nullptr);
+  CHECK(lesson.beat_at(3) == &lesson.beats[1]);
+}
+
+TEST_CASE("a beat at a phase stands at the step that introduces it") {
+  const auto lesson = lesson_of(beat("{\"phase\": \"elevate\"}") + "," + beat("{\"phase\": \"elevate.round[2]\"}") + "," +
+                                    beat("{\"phase\": \"recompose\"}"),
+                                raised);
+  const auto run = record<Exact>(*lesson.algorithm, lesson.inputs);
+  REQUIRE(run);
+  REQUIRE(lesson.beats.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t phase = run->trace.introduced_by(lesson.beats[i].step);
+    REQUIRE(phase != absent);
+    CHECK(run->trace.phases()[phase].label() == std::vector<std::string>{"elevate", "round[2]", "recompose"}[i]);
+  }
+}
+
+TEST_CASE("highlights are the values made so far, each once") {
+  const auto lesson = lesson_of(R"({"at": "P[1][1]", "say": "Look.", "highlight": ["P[1][1]", "P[0..1][*]"]})");
+  const auto run = record<Exact>(*lesson.algorithm, lesson.inputs);
+  REQUIRE(run);
+  std::vector<std::string> names;
+  for (const ValueId v : lesson.beats[0].highlights) names.push_back(run->trace.name(v));
+  CHECK(names == std::vector<std::string>{"P[0][0]", "P[0][1]", "P[0][2]", "P[1][0]", "P[1][1]"});
+}
+
+TEST_CASE("every mistake of a lesson at once, each at its line and column") {
+  const auto lesson = load_lesson(parsed(R"({
+  "schema": "blossom.lesson/2",
+  "id": "No id",
+  "titel": "A lesson",
+  "title": " ",
+  "minutes": "ten",
+  "algorithm": "de_casteljau",
+  "inputs": {"curve": {"degree": 2, "points": [[0, 0], [2, 4], [4, 0]]}, "u": "1/4"},
+  "beats": [
+    {"at": "P[1][0]", "say": "From {Q[0][0]} to {P[0][1]}, then {P[2][0]}."},
+    {"at": "start", "says": "Look."},
+    {"at": "P[1][7]", "say": "Look."},
+    {"at": "P[1", "say": ""},
+    {"at": {"step": 5}, "say": "A { is left open."},
+    {"at": {"phase": "elevate"}, "say": "Look."},
+    {"at": {"step": 1, "phase": "elevate"}, "say": "Look."},
+    {"at": 3, "say": "Look.", "highlight": []},
+    {"at": "P[2][0]", "say": "Look.", "highlight": ["C", "P[1][*]", "R[1]"]},
+    {"at": "P[2][0]", "say": "Look."}
+  ]
+})"));
+  CHECK_FALSE(lesson);
+  CHECK(to_string(lesson.diagnostics) ==
+        R"(lesson.json:2:13: schema: must be "blossom.lesson/1", not "blossom.lesson/2"; this program does not know that version
+lesson.json:3:9: id: must be 1 to 64 of a-z, 0-9 and -, such as "de-boor-2", not "No id"
+lesson.json:4:3: unknown key "titel"; did you mean "title"?
+lesson.json:5:12: title: must not be empty
+lesson.json:6:14: minutes: must be a whole number from 1 to 600, not "ten"
+lesson.json:10:30: beats[0].say: "{Q[0][0]}" names nothing at step 1; did you mean "P[0][0]"?
+lesson.json:10:30: beats[0].say: "{P[2][0]}" names nothing at step 1: it is made at step 3
+lesson.json:11:5: beats[1]: missing key "say"
+lesson.json:11:12: beats[1].at: stands at step 0, but the beat before at step 1: beats go in the order of the steps
+lesson.json:11:21: beats[1]: unknown key "says"; did you mean "say"?
+lesson.json:12:12: beats[2].at: no value of this run is called "P[1][7]"; did you mean "P[1][0]"?
+lesson.json:13:12: beats[3].at: is no selector: the bracket at character 2 is not closed
+lesson.json:13:26: beats[3].say: must not be empty
+lesson.json:14:21: beats[4].at.step: must be a whole number from 0 to 4, not 5
+lesson.json:14:32: beats[4].say: a { has no } behind it, at "{ is left open."
+lesson.json:15:22: beats[5].at.phase: no phase of this run is called "elevate"; this algorithm runs in one piece
+lesson.json:16:12: beats[6].at: must have either "step" or "phase"
+lesson.json:17:12: beats[7].at: must be a selector such as "P[1][0]", "start", "end", {"step": 3} or {"phase": "parameters"}
+lesson.json:17:44: beats[7].highlight: must have at least 1 item, not 0
+lesson.json:18:53: beats[8].highlight[0]: nothing of it is made yet at step 3; the first comes at step 4
+lesson.json:18:69: beats[8].highlight[2]: no value of this run is called "R[1]"
+lesson.json:19:12: beats[9].at: stands at step 3 as the beat before does; one beat for each step
+)");
+}
+
+TEST_CASE("a phase that is misspelled") {
+  CHECK(mistakes(beat("{\"phase\": \"recompos\"}"), raised) ==
+        "lesson.json:3:28: beats[0].at.phase: no phase of this run is called \"recompos\"; did you mean \"recompose\"?\n");
+}
+
+TEST_CASE("an algorithm that does not exist does not hide what else is wrong") {
+  const std::string run = R"("algorithm": "de_bor", "inputs": {}, )";
+  CHECK(mistakes(beat("\"P[1][0]\"", "{nobody checks this}") + "," + beat("\"P[\""), run) ==
+        "lesson.json:1:84: algorithm: there is no algorithm \"de_bor\"; did you mean \"de_boor\"?\n"
+        "lesson.json:2:67: beats[1].at: is no selector: the bracket at character 2 is not closed\n");
+  CHECK(mistakes(beat("\"start\""), R"("algorithm": "bresenham", "inputs": {}, )") ==
+        "lesson.json:1:84: algorithm: there is no algorithm \"bresenham\"; the algorithms are de_boor, de_casteljau, "
+        "degree_elevation, knot_insertion, skinning\n");
+}
+
+TEST_CASE("inputs that are wrong, and inputs that turn out impossible on the way, are named where they stand") {
+  CHECK(mistakes(beat("\"start\""), R"("algorithm": "de_boor",
+"inputs": {"curve": {"degree": 1, "points": [[0, 0], [1, 1, 1]]}, "u": 2, "v": 3}, )") ==
+        "lesson.json:2:54: inputs.curve.points[1]: must have 2 coordinates, as the first point has, not 3\n"
+        "lesson.json:2:75: inputs: unknown key \"v\"; the keys here are \"curve\" and \"u\"\n");
+  CHECK(mistakes(beat("\"start\""), R"("algorithm": "skinning",
+"inputs": {"profiles": [
+{"degree": 1, "points": [[0, 0, 0], [1, 0, 0]]},
+{"degree": 1, "points": [[0, 0, 0], [1, 0, 0]]},
+{"degree": 1, "points": [[0, 0, 1], [1, 0, 1]]}], "degree_v": 1}, )") ==
+        "lesson.json:4:1: inputs.profiles[1]: coincides with the profile before it: neighbouring profiles must differ\n");
+}
+
+TEST_CASE("what a lesson must have") {
+  const auto nothing = load_lesson(parsed("{}"));
+  CHECK(to_string(nothing.diagnostics) ==
+        "lesson.json:1:1: missing key \"schema\"\n"
+        "lesson.json:1:1: missing key \"id\"\n"
+        "lesson.json:1:1: missing key \"title\"\n"
+        "lesson.json:1:1: missing key \"algorithm\"\n"
+        "lesson.json:1:1: missing key \"inputs\"\n"
+        "lesson.json:1:1: missing key \"beats\"\n");
+  const auto list = load_lesson(parsed("[]"));
+  CHECK(list.diagnostics.size() == 1);
+}
