@@ -28,19 +28,27 @@ std::string expected_shape(const Part& part) {
   if (part.is_single()) return "must be a number such as 0.4 or \"2/5\"";
   if (part.as_set) return "must be a set of numbers such as {\"set\": [0, \"1/2\", 1]}";
   if (part.kind == ValueKind::list) return "must be an array of numbers such as [0, \"1/2\", 1]";
-  const std::string example = part.size() == 2 ? "[1, \"2/5\"]" : part.size() == 3 ? "[1, \"2/5\", 0]" : "[1, \"2/5\", 0, 1]";
+  const std::string example = part.size() == 2   ? "[1, \"2/5\"]"
+                              : part.size() == 3 ? "[1, \"2/5\", 0]"
+                                                 : "[1, \"2/5\", 0, 1]";
   return "must be an array of " + std::to_string(part.size()) + " numbers such as " + example +
          (part.form == Form::homogeneous ? ", the weight last" : "");
 }
 
 std::string kind_of(const Json& json) {
   switch (json.kind) {
-    case Json::Kind::null: return "null";
-    case Json::Kind::boolean: return json.boolean ? "true" : "false";
-    case Json::Kind::number: return "the number " + (json.text.size() <= 40 ? json.text : json.text.substr(0, 40) + "...");
-    case Json::Kind::string: return "the text " + excerpt(json.text);
-    case Json::Kind::array: return "an array of " + std::to_string(json.items.size());
-    case Json::Kind::object: return "an object";
+    case Json::Kind::null:
+      return "null";
+    case Json::Kind::boolean:
+      return json.boolean ? "true" : "false";
+    case Json::Kind::number:
+      return "the number " + (json.text.size() <= 40 ? json.text : json.text.substr(0, 40) + "...");
+    case Json::Kind::string:
+      return "the text " + excerpt(json.text);
+    case Json::Kind::array:
+      return "an array of " + std::to_string(json.items.size());
+    case Json::Kind::object:
+      return "an object";
   }
   return {};
 }
@@ -71,10 +79,12 @@ Answers match_answers(const Exercise& exercise, const Checked<JsonDocument>& doc
     return invalid("must be an object {\"schema\", \"exercise\", \"answers\"}, not " + kind_of(root));
   const std::string* schema = string_at(root, "schema");
   if (schema == nullptr || *schema != "blossom.answers/1")
-    return invalid("\"schema\" must be \"blossom.answers/1\"" + (schema != nullptr ? ", not " + excerpt(*schema) : std::string()));
+    return invalid("\"schema\" must be \"blossom.answers/1\"" +
+                   (schema != nullptr ? ", not " + excerpt(*schema) : std::string()));
   const std::string* id = string_at(root, "exercise");
   if (id == nullptr || *id != exercise.id)
-    return invalid("\"exercise\" must be " + excerpt(exercise.id) + (id != nullptr ? ", not " + excerpt(*id) : std::string()));
+    return invalid("\"exercise\" must be " + excerpt(exercise.id) +
+                   (id != nullptr ? ", not " + excerpt(*id) : std::string()));
   const Json* given = root.find("answers");
   if (given == nullptr || given->kind != Json::Kind::object)
     return invalid("\"answers\" must be an object of names and values such as {\"k\": 4}");
@@ -102,8 +112,9 @@ Typed read_typed(const Part& part, const Json& json) {
   const auto take = [&](const Json& number) {
     auto value = is_number(number) ? parse_typed(number.text) : std::nullopt;
     if (!value) {
-      typed.problem = kind_of(number) + (is_number(number) ? " is no number of at most 400 characters, such as 0.4 or \"2/5\""
-                                                           : " stands where a number must be");
+      typed.problem =
+          kind_of(number) + (is_number(number) ? " is no number of at most 400 characters, such as 0.4 or \"2/5\""
+                                               : " stands where a number must be");
       return false;
     }
     typed.texts.push_back(number.text);

@@ -14,15 +14,16 @@
 namespace blossom {
 
 struct Answers {
-  std::string reason;             // not empty: the whole is invalid, and why
-  std::vector<const Json*> part;  // of each part of the exercise; nullptr: no answer. Points into the document.
+  std::string reason;              // not empty: the whole is invalid, and why
+  std::vector<const Json*> part;   // of each part of the exercise; nullptr: no answer. Points into the document.
   std::vector<std::string> notes;  // what was ignored
 };
 
 // Matches a document's answers with the parts they are for. The reason or the notes are for its author.
 Answers match_answers(const Exercise&, const Checked<JsonDocument>&);
 
-// A part's answer with its numbers. `problem` is not empty when it has not the part's shape, and says what would be right.
+// A part's answer with its numbers. `problem` is not empty when it has not the part's shape, and says what would be
+// right.
 struct Typed {
   std::vector<std::string_view> texts;  // as typed; of a set, in ascending order
   Numbers<Exact> numbers;

@@ -98,7 +98,8 @@ bool Replayed::is_trivial(ValueId v, NumbersView<Exact> result) const {
 std::vector<double> Replayed::rounding_through_rule(ValueId v) const {
   const auto& trace = exercise_->run.trace;
   const auto from = trace.operands(v);
-  if (expected_[v].empty() || std::ranges::none_of(from, [&](ValueId o) { return !made_[o].rounding.empty(); })) return {};
+  if (expected_[v].empty() || std::ranges::none_of(from, [&](ValueId o) { return !made_[o].rounding.empty(); }))
+    return {};
   std::vector<Numbers<double>> operands;
   for (const ValueId o : from) {
     auto& numbers = operands.emplace_back();
@@ -128,7 +129,8 @@ std::vector<double> Replayed::rounding_through_rule(ValueId v) const {
 std::vector<double> Replayed::widening(const Part& part) const {
   const auto& rounding = made_[part.value].expected_rounding;
   if (rounding.empty() || part.tolerance.kind == Tolerance::Kind::exact || part.form == Form::weight) return {};
-  std::vector<double> wide(rounding.begin(), rounding.begin() + static_cast<std::ptrdiff_t>(std::min(rounding.size(), part.right.size())));
+  std::vector<double> wide(
+      rounding.begin(), rounding.begin() + static_cast<std::ptrdiff_t>(std::min(rounding.size(), part.right.size())));
   if (part.kind == ValueKind::point && part.rational && part.form == Form::affine) {
     const double w = std::abs(expected_[part.value][3].to_double());
     for (double& r : wide) r = w > 0 ? r / w : 0;

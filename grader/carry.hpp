@@ -1,7 +1,7 @@
 #pragma once
 // Error carried forward: the graph of a run with somebody's own values put in. A value that was answered is what was
-// answered; every other one is made again by its rule, from what its operands are now. So `expected` of an answered value
-// is what the right rule gives on that person's own operands.
+// answered; every other one is made again by its rule, from what its operands are now. So `expected` of an answered
+// value is what the right rule gives on that person's own operands.
 //
 // The same replay with some rules replaced by wrong ones finds misconceptions: see diagnose.hpp.
 
@@ -17,24 +17,24 @@ struct ReplayPlan {
   explicit ReplayPlan(const Exercise&);
   static constexpr std::int32_t not_asked = -1;
 
-  std::vector<ValueId> order;            // without the inputs
-  std::vector<std::int32_t> part_of;     // by value; not_asked
+  std::vector<ValueId> order;         // without the inputs
+  std::vector<std::int32_t> part_of;  // by value; not_asked
 };
 
 // What is put in for a part.
 struct Given {
   enum class Kind : std::uint8_t { nothing, right, typed };
   Kind kind = Kind::nothing;
-  Numbers<Exact> numbers = {};         // as typed
-  std::vector<double> rounding = {};   // how far the number meant may be from the one typed; empty: not at all
+  Numbers<Exact> numbers = {};        // as typed
+  std::vector<double> rounding = {};  // how far the number meant may be from the one typed; empty: not at all
 };
 
 class Replayed {
  public:
   Replayed(const Exercise& exercise, const ReplayPlan& plan);
 
-  // Puts `given` in, one for each part, and makes the rest again. wrong(v) may make a value that is not given in place of
-  // its rule; it returns no numbers where it does not apply.
+  // Puts `given` in, one for each part, and makes the rest again. wrong(v) may make a value that is not given in place
+  // of its rule; it returns no numbers where it does not apply.
   template <class Wrong>
   void run(const std::vector<Given>& given, Wrong&& wrong);
   void run(const std::vector<Given>& given) {

@@ -1,6 +1,6 @@
 #pragma once
-// Tolerances: when a typed number counts as the right one. A number is judged by its own text, as the exact rational that
-// was typed, and at the boundary inclusively, so that the verdict is the same on every machine.
+// Tolerances: when a typed number counts as the right one. A number is judged by its own text, as the exact rational
+// that was typed, and at the boundary inclusively, so that the verdict is the same on every machine.
 
 #include <optional>
 #include <string>

@@ -7,7 +7,8 @@ namespace {
 
 constexpr std::size_t most_candidates = 4;  // of one misconception for one value
 
-// A value with what somebody has for it and for all others. Where their values make one impossible, the right one stands.
+// A value with what somebody has for it and for all others. Where their values make one impossible, the right one
+// stands.
 class OwnSite final : public Site {
  public:
   OwnSite(const Exercise& exercise, const Replayed& replayed) : exercise_(&exercise), replayed_(&replayed) {}
@@ -27,8 +28,8 @@ class OwnSite final : public Site {
   ValueId value_ = absent;
 };
 
-// Replays with one misconception, once for each of its candidates, and calls seen(part, traced) with all that it makes of
-// the parts.
+// Replays with one misconception, once for each of its candidates, and calls seen(part, traced) with all that it makes
+// of the parts.
 template <class Seen>
 void with_misconception(const Exercise& exercise, const Misconception& misconception, Replayed& replayed,
                         const std::vector<Given>& given, Seen&& seen) {
@@ -55,7 +56,8 @@ void with_misconception(const Exercise& exercise, const Misconception& misconcep
 
 }  // namespace
 
-bool agrees(const Part& part, NumbersView<Exact> traced, const Numbers<Exact>& typed, const std::vector<double>& widening) {
+bool agrees(const Part& part, NumbersView<Exact> traced, const Numbers<Exact>& typed,
+            const std::vector<double>& widening) {
   auto numbers = part.as_typed(traced);
   if (numbers.empty() || numbers.size() != typed.size()) return false;
   if (part.as_set) std::ranges::sort(numbers);
@@ -101,7 +103,8 @@ std::vector<const Misconception*> OwnMistakes::find(const std::vector<Given>& gi
   Replayed replayed(*exercise_, *plan_);
   for (const Misconception& misconception : exercise_->run.algorithm->misconceptions)
     with_misconception(*exercise_, misconception, replayed, given, [&](std::size_t i, NumbersView<Exact> traced) {
-      if (found[i] == nullptr && !typed[i].empty() && agrees(exercise_->parts[i], traced, typed[i])) found[i] = &misconception;
+      if (found[i] == nullptr && !typed[i].empty() && agrees(exercise_->parts[i], traced, typed[i]))
+        found[i] = &misconception;
     });
   return found;
 }

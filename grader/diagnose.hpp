@@ -30,15 +30,17 @@ class KnownMistakes {
 };
 
 // Whether typed numbers are `traced`, within the part's tolerance and, if given, a widening for each number.
-bool agrees(const Part&, NumbersView<Exact> traced, const Numbers<Exact>& typed, const std::vector<double>& widening = {});
+bool agrees(const Part&, NumbersView<Exact> traced, const Numbers<Exact>& typed,
+            const std::vector<double>& widening = {});
 
-// The same on somebody's own values: tries every misconception on the parts that are still open, in one or a few replays
-// each, and calls found(part, misconception).
+// The same on somebody's own values: tries every misconception on the parts that are still open, in one or a few
+// replays each, and calls found(part, misconception).
 class OwnMistakes {
  public:
   OwnMistakes(const Exercise& exercise, const ReplayPlan& plan) : exercise_(&exercise), plan_(&plan) {}
   // `typed` of a part is empty where there is nothing to explain.
-  std::vector<const Misconception*> find(const std::vector<Given>& given, const std::vector<Numbers<Exact>>& typed) const;
+  std::vector<const Misconception*> find(const std::vector<Given>& given,
+                                         const std::vector<Numbers<Exact>>& typed) const;
 
  private:
   const Exercise* exercise_;

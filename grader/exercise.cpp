@@ -40,7 +40,9 @@ std::optional<Exact> number_in(const Cursor& at, const Exact& at_least, const st
   return number;
 }
 
-std::optional<Exact> share(const Cursor& at) { return number_in(at, Exact(0), Exact(1), "must be a share from 0 to 1"); }
+std::optional<Exact> share(const Cursor& at) {
+  return number_in(at, Exact(0), Exact(1), "must be a share from 0 to 1");
+}
 
 std::optional<Tolerance> read_tolerance(const Cursor& at) {
   constexpr int most_digits = 15;
@@ -51,7 +53,8 @@ std::optional<Tolerance> read_tolerance(const Cursor& at) {
   }
   const std::vector<std::string> kinds{"decimals", "significant", "absolute", "relative"};
   if (!at.is(Json::Kind::object) || at.size() != 1) {
-    at.error("must be \"exact\" or one of {\"decimals\": n}, {\"significant\": n}, {\"absolute\": x}, {\"relative\": x}");
+    at.error(
+        "must be \"exact\" or one of {\"decimals\": n}, {\"significant\": n}, {\"absolute\": x}, {\"relative\": x}");
     return std::nullopt;
   }
   if (!at.expect_object(kinds)) return std::nullopt;
@@ -113,7 +116,8 @@ class ExerciseReader {
     const auto ask = root_.required("ask");
     if (!ask || !ask->expect_array(1, most_parts)) return;
     for (std::size_t i = 0; i < ask->size(); ++i) read_ask((*ask)[i], ran);
-    if (ran && !ask->has_errors() && exercise.max_points == Exact(0)) ask->error("must be worth more than 0 points in all");
+    if (ran && !ask->has_errors() && exercise.max_points == Exact(0))
+      ask->error("must be worth more than 0 points in all");
   }
 
   Exercise exercise;
@@ -134,7 +138,8 @@ class ExerciseReader {
     Part model;
     model.tolerance = exercise.tolerance;
     if (const auto points = at.required("points"))
-      if (auto n = number_in(*points, Exact(0), Exact(1'000'000), "must be from 0 to 1000000")) model.points = std::move(*n);
+      if (auto n = number_in(*points, Exact(0), Exact(1'000'000), "must be from 0 to 1000000"))
+        model.points = std::move(*n);
     std::optional<Cursor> form = at.optional("form");
     if (form) {
       const auto found =
@@ -191,7 +196,8 @@ class ExerciseReader {
   // What exercises on this algorithm usually ask.
   std::string usual() const {
     std::string text;
-    for (const auto& ask : exercise.run.algorithm->asks) text += (text.empty() ? "usually asked: " : ", ") + std::string(ask);
+    for (const auto& ask : exercise.run.algorithm->asks)
+      text += (text.empty() ? "usually asked: " : ", ") + std::string(ask);
     return text;
   }
 
@@ -213,7 +219,8 @@ class ExerciseReader {
     }
     part.right = part.as_typed(numbers);
     if (part.right.empty()) {
-      value.error(json_quote(part.name) + " has weight 0 and no affine point; ask for it with \"form\": \"homogeneous\"");
+      value.error(json_quote(part.name) +
+                  " has weight 0 and no affine point; ask for it with \"form\": \"homogeneous\"");
       return;
     }
     const bool irrational = std::ranges::any_of(part.right, [](const Exact& x) { return x.is_approximate(); });

@@ -3,9 +3,11 @@
 //
 //   {"schema": "blossom.exercise/1", "id", "title", "prompt", "algorithm", "inputs",
 //    "ask": [{"value": selector, "points": n, "form"?, "as"?, "tolerance"?, "feedback"?: text}, ...],
-//    "tolerance"?, "carried"?: 0..1, "partial"?: {"misconception"?: 0..1, "slip"?: 0..1}, "feedback"?, "source"?, "unit"?}
+//    "tolerance"?, "carried"?: 0..1, "partial"?: {"misconception"?: 0..1, "slip"?: 0..1}, "feedback"?, "source"?,
+//    "unit"?}
 //
-// `points` are for each value the selector selects; of its values those that are given are left out. exercises/exercise.schema.json describes every key.
+// `points` are for each value the selector selects; of its values those that are given are left out.
+// exercises/exercise.schema.json describes every key.
 
 #include <filesystem>
 #include <string>
@@ -45,7 +47,7 @@ struct Part {
 
   int dimension = 2;
   bool rational = false;
-  Numbers<Exact> right;  // as it is typed
+  Numbers<Exact> right;         // as it is typed
   std::vector<Window> windows;  // of each number of it
 
   std::string formula;   // P[1][0] = (1 - u) P[0][0] + u P[0][1]

@@ -13,7 +13,8 @@ constexpr std::size_t longest_exact = 20;  // characters; 64 bits hold what fits
 Numbers<Exact> to_carry_on(const Typed& typed) {
   Numbers<Exact> numbers;
   for (std::size_t i = 0; i < typed.numbers.size(); ++i)
-    numbers.push_back(typed.texts[i].size() <= longest_exact && typed.texts[i].find_first_of("eE") == std::string_view::npos
+    numbers.push_back(typed.texts[i].size() <= longest_exact &&
+                              typed.texts[i].find_first_of("eE") == std::string_view::npos
                           ? typed.numbers[i]
                           : Exact::approximate(typed.numbers[i].to_double()));
   return numbers;
@@ -51,15 +52,21 @@ Grader::Grader(Exercise exercise)
     : exercise_(std::move(exercise)),
       plan_(exercise_),
       known_mistakes_(exercise_, plan_),
-      own_mistakes_(exercise_, plan_) {}
+      own_mistakes_(exercise_, plan_) {
+  const auto& trace = exercise_.run.trace;
+  trace.find({});  // builds its index now, so that grading changes nothing
+  Replayed right(exercise_, plan_);
+  right.run(std::vector<Given>(exercise_.parts.size(), Given{Given::Kind::right}));
+  for (const Part& part : exercise_.parts) right_is_trivial_.push_back(right.trivial(part.value) ? 1 : 0);
+}
 
 // The answers that are not right, with what is known of them so far.
 struct Grader::Open {
-  std::vector<Typed> typed;      // by part; read only where there is an answer that is not right
-  std::vector<char> is_open;     // has an answer of the right shape, and no verdict yet
-  std::vector<Given> as_meant;   // right answers stand for the right value
-  std::vector<Given> as_typed;   // right answers stand for what was typed, however rounded
-  bool rounded = false;          // whether the two can differ
+  std::vector<Typed> typed;     // by part; read only where there is an answer that is not right
+  std::vector<char> is_open;    // has an answer of the right shape, and no verdict yet
+  std::vector<Given> as_meant;  // right answers stand for the right value
+  std::vector<Given> as_typed;  // right answers stand for what was typed, however rounded
+  bool rounded = false;         // whether the two can differ
 };
 
 Grade Grader::grade(const Checked<JsonDocument>& document, std::string student) const {
@@ -120,7 +127,8 @@ void Grader::explain(const Answers& answers, Grade& grade) const {
     }
     if (can_carry_on(part, typed)) {
       open.as_typed[i] = {Given::Kind::typed, to_carry_on(typed)};
-      open.as_meant[i] = right ? Given{Given::Kind::right} : Given{Given::Kind::typed, to_carry_on(typed), roundings(part, typed)};
+      open.as_meant[i] =
+          right ? Given{Given::Kind::right} : Given{Given::Kind::typed, to_carry_on(typed), roundings(part, typed)};
       open.rounded = open.rounded || part.tolerance.kind != Tolerance::Kind::exact;
     }
     if (!right) open.is_open[i] = 1;
@@ -131,7 +139,8 @@ void Grader::explain(const Answers& answers, Grade& grade) const {
 
 void Grader::judge(const Open& open, Grade& grade) const {
   const std::size_t count = exercise_.parts.size();
-  const auto settle = [&](std::size_t i, Verdict verdict, const Exact& share, std::string_view what, std::string_view id = {}) {
+  const auto settle = [&](std::size_t i, Verdict verdict, const Exact& share, std::string_view what,
+                          std::string_view id = {}) {
     PartGrade& made = grade.parts[i];
     made.verdict = verdict;
     made.points = share * exercise_.parts[i].points;
@@ -141,13 +150,10 @@ void Grader::judge(const Open& open, Grade& grade) const {
   std::vector<char> left = open.is_open;
 
   // Carried: the right rule on their own values, as they meant them or as they wrote them down.
-  Replayed right(exercise_, plan_);
-  right.run(std::vector<Given>(count, Given{Given::Kind::right}));
   Replayed meant(exercise_, plan_);
   meant.run(open.as_meant);
   std::optional<Replayed> written;
   if (open.rounded) written.emplace(exercise_, plan_).run(open.as_typed);
-  std::vector<char> refused(count, 0);
   for (std::size_t i = 0; i < count; ++i) {
     if (left[i] == 0) continue;
     const Part& part = exercise_.parts[i];
@@ -157,10 +163,10 @@ void Grader::judge(const Open& open, Grade& grade) const {
     };
     if (!carries(meant, meant.widening(part)) && !(written && carries(*written, {}))) continue;
     left[i] = 0;
-    refused[i] = meant.trivial(part.value) && !right.trivial(part.value) ? 1 : 0;
-    if (refused[i] != 0)
+    if (meant.trivial(part.value) && right_is_trivial_[i] == 0)
       settle(i, Verdict::wrong, 0,
-             "It follows from your earlier values, but those are all equal or zero and leave nothing to compute, so it earns "
+             "It follows from your earlier values, but those are all equal or zero and leave nothing to compute, so it "
+             "earns "
              "no points.");
     else
       settle(i, Verdict::carried, exercise_.carried, {});
@@ -204,13 +210,24 @@ std::string Grader::feedback(const Part& part, Verdict verdict, std::string_view
   if (exercise_.feedback == Feedback::none || exercise_.feedback == Feedback::verdict) return {};
   std::string text;
   switch (verdict) {
-    case Verdict::correct: return "Correct.";
-    case Verdict::carried: text = "The right rule on your own earlier value."; break;
+    case Verdict::correct:
+      return "Correct.";
+    case Verdict::carried:
+      text = "The right rule on your own earlier value.";
+      break;
     case Verdict::misconception:
-    case Verdict::slip: text = what; break;
-    case Verdict::wrong: text = what.empty() ? "Not the right value." : sentence(what); break;
-    case Verdict::missing: text = "No answer."; break;
-    case Verdict::invalid: text = "The answer cannot be read: it " + std::string(what) + "."; break;
+    case Verdict::slip:
+      text = what;
+      break;
+    case Verdict::wrong:
+      text = what.empty() ? "Not the right value." : sentence(what);
+      break;
+    case Verdict::missing:
+      text = "No answer.";
+      break;
+    case Verdict::invalid:
+      text = "The answer cannot be read: it " + std::string(what) + ".";
+      break;
   }
   if (exercise_.feedback == Feedback::full) return text + " Right is " + part.solution + ".";
   // The rule is a help where it is not known yet; not to who already used it.

@@ -57,6 +57,7 @@ class Grader {
   ReplayPlan plan_;
   KnownMistakes known_mistakes_;
   OwnMistakes own_mistakes_;
+  std::vector<char> right_is_trivial_;  // by part: the exercise itself leaves nothing to compute there
 };
 
 }  // namespace blossom

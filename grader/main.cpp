@@ -52,7 +52,8 @@ int grade_all(const std::string& exercise_file, const std::vector<std::string>& 
   std::string out;
   for (const std::string& file : files) {
     const auto answers = JsonDocument::load(file, submission_limits);
-    const Grade grade = grader.grade(answers, file == "-" ? std::string() : std::filesystem::path(file).stem().string());
+    const Grade grade =
+        grader.grade(answers, file == "-" ? std::string() : std::filesystem::path(file).stem().string());
     all_read = all_read && grade.reason.empty();
     report->add(grade, out);
     if (!print(out)) break;
@@ -76,11 +77,15 @@ int run(int argc, char** argv) {
     formats.emplace_back(known->name);
     formats_help += "\n" + std::string(known->name) + ": " + std::string(known->description);
   }
-  app.add_option("exercise", exercise, "the exercise, a JSON file (schema blossom.exercise/1)")->required()->option_text("EXERCISE");
+  app.add_option("exercise", exercise, "the exercise, a JSON file (schema blossom.exercise/1)")
+      ->required()
+      ->option_text("EXERCISE");
   app.add_option("answers", answers, "what was handed in, JSON files (schema blossom.answers/1); - is standard input")
       ->required()
       ->option_text("ANSWERS...");
-  app.add_option("-f,--format", format, formats_help)->check(CLI::IsMember(formats))->option_text("FORMAT (default: text)");
+  app.add_option("-f,--format", format, formats_help)
+      ->check(CLI::IsMember(formats))
+      ->option_text("FORMAT (default: text)");
   app.footer(manual);
   try {
     app.parse(argc, argv);

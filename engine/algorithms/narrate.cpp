@@ -207,7 +207,7 @@ std::string Narrator<S>::numbers(ValueId v) const {
 
 template <Scalar S>
 std::optional<int> Narrator<S>::index(std::string_view expression, const Context& context) const {
-  int sum = 0;
+  std::int64_t sum = 0;
   int sign = 1;
   for (std::size_t i = 0; i < expression.size();) {
     if (expression[i] == '+' || expression[i] == '-') {
@@ -219,7 +219,7 @@ std::optional<int> Narrator<S>::index(std::string_view expression, const Context
     while (end < expression.size() && is_word(expression[end])) ++end;
     if (end == i) return std::nullopt;
     const std::string_view term = expression.substr(i, end - i);
-    std::optional<int> value;
+    std::optional<std::int64_t> value;
     if (std::isdigit(static_cast<unsigned char>(term[0])) != 0) {
       if (term.size() > 6) return std::nullopt;
       value = std::stoi(std::string(term));
@@ -235,7 +235,7 @@ std::optional<int> Narrator<S>::index(std::string_view expression, const Context
     sign = 1;
     i = end;
   }
-  return sum;
+  return std::abs(sum) <= 1'000'000'000 ? std::optional(static_cast<int>(sum)) : std::nullopt;
 }
 
 // A reference like P[r-1][i]: its indices worked out, then looked up from the innermost scope outwards. Where a scope

@@ -1,5 +1,6 @@
 #include "app/input.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 namespace blossom {
@@ -23,19 +24,31 @@ fs::path find_folder(const std::string& name) {
 
 namespace {
 
-// "05", "05-de-boor" and "de-boor" all find lessons/05-de-boor.json.
-fs::path find_lesson(const std::string& given) {
+// "5", "05", "05-de-boor" and "de-boor" all find lessons/05-de-boor.json.
+Checked<fs::path> find_lesson(const std::string& given) {
   std::error_code error;
-  if (fs::exists(given, error) || given == "-") return given;
+  if (fs::exists(given, error) || given == "-") return fs::path(given);
   const fs::path folder = find_folder("lessons");
   std::vector<fs::path> matches;
+  std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const std::string stem = entry.path().stem().string();
     if (entry.path().extension() != ".json" || stem.ends_with(".schema")) continue;
     if (stem == given) return entry.path();
-    if (stem.starts_with(given + "-") || stem.ends_with("-" + given)) matches.push_back(entry.path());
+    names.push_back(stem);
+    if (const auto dash = stem.find('-'); dash != std::string::npos) names.push_back(stem.substr(dash + 1));
+    if (stem.starts_with(given + "-") || stem.starts_with("0" + given + "-") || stem.ends_with("-" + given)) matches.push_back(entry.path());
   }
-  return matches.size() == 1 ? matches[0] : fs::path(given);
+  if (matches.size() == 1) return matches[0];
+  std::ranges::sort(matches);
+  std::string message = "there is no such file, and no lesson of that name; `blossom list` lists them";
+  if (!matches.empty()) {
+    message = "more than one lesson is meant:";
+    for (const fs::path& match : matches) message += " " + match.stem().string();
+  } else if (const auto near = did_you_mean(given, names)) {
+    message += "; did you mean \"" + *near + "\"?";
+  }
+  return Diagnostics{{given, 0, 0, "", message}};
 }
 
 }  // namespace
@@ -57,9 +70,10 @@ Checked<Subject> load_subject(const SubjectOptions& options) {
     subject.inputs = std::move(*inputs);
     return subject;
   }
-  if (options.lesson.empty())
-    return Diagnostics{{"", 0, 0, "", "nothing to work on: give a LESSON (see `blossom list`), or --algorithm and --inputs"}};
-  const auto document = JsonDocument::load(find_lesson(options.lesson));
+  if (options.lesson.empty()) throw CLI::RequiredError("LESSON (see `blossom list`), or --algorithm and --inputs,");
+  const auto file = find_lesson(options.lesson);
+  if (!file) return file.diagnostics;
+  const auto document = JsonDocument::load(*file);
   if (!document) return document.diagnostics;
   auto lesson = load_lesson(*document);
   if (!lesson) return lesson.diagnostics;

@@ -30,6 +30,7 @@ struct Subject {
     return lesson ? lesson->narration(narrator, step) : narrator.text(step);
   }
 };
+// Throws CLI::RequiredError when the options name nothing.
 Checked<Subject> load_subject(const SubjectOptions&);
 
 // The folder of a kind of files ("lessons", "exercises"): in the working folder or the nearest one around the program.

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "app/command.hpp"
+#include "base/diagnostics.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app(
@@ -13,7 +16,6 @@ int main(int argc, char** argv) {
       "blossom");
   app.require_subcommand(1);
   app.set_version_flag("--version", BLOSSOM_VERSION);
-  app.failure_message(CLI::FailureMessage::help);
   app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
     return "blossom: " + std::string(error.what()) + "\nTry `" + (failed->get_parent() != nullptr ? "blossom " : "") +
            failed->get_name() + " --help`.\n";
@@ -25,6 +27,18 @@ int main(int argc, char** argv) {
   for (const blossom::Command* command : ordered) {
     CLI::App* sub = app.add_subcommand(std::string(command->name), std::string(command->summary));
     command->set_up(*sub, status);
+  }
+
+  // CLI11 would say of a mistyped command only that one is required.
+  if (argc > 1 && argv[1][0] != '-') {
+    std::vector<std::string> names;
+    for (const blossom::Command* command : ordered) names.emplace_back(command->name);
+    if (std::ranges::find(names, argv[1]) == names.end()) {
+      std::cerr << "blossom: there is no command " << blossom::excerpt(argv[1]);
+      if (const auto near = blossom::did_you_mean(argv[1], names)) std::cerr << "; did you mean \"" << *near << "\"?";
+      std::cerr << "\nTry `blossom --help`.\n";
+      return blossom::wrong_usage;
+    }
   }
 
   try {

@@ -150,10 +150,10 @@ Cells<typename R::Number, typename R::Id> parameters(R& rec, const std::vector<M
     for (int l = 1; l <= K; ++l)
       share[static_cast<std::size_t>(l) - 1].push_back(rec.apply(Quotient{}, "e"_v(l, i), d[l - 1], total));
   }
+  if (share[0].size() == 0) throw KernelError{"profiles", "all profiles coincide: there is no surface through them"};
   v.push_back(rec.input("v"_v(0), S(0)));
   for (int l = 1; l < K; ++l) {
     const auto& e = share[static_cast<std::size_t>(l) - 1];
-    if (e.size() == 0) throw KernelError{"profiles", "all profiles coincide: there is no surface through them"};
     const auto mean = rec.apply(Mean{}, "e"_v(l), slice(e, 0, e.size()));
     v.push_back(rec.apply(Sum{}, "v"_v(l), v[l - 1], mean));
   }

@@ -16,7 +16,8 @@ std::string form(const InputSpec& spec) {
     case InputSpec::Type::number:
       return geometry("number");
     case InputSpec::Type::integer:
-      return R"("type": "integer", "minimum": )" + std::to_string(spec.at_least) + R"(, "maximum": )" + std::to_string(spec.at_most);
+      return R"("type": "integer", "minimum": )" + std::to_string(spec.at_least) + R"(, "maximum": )" +
+             std::to_string(spec.at_most);
     case InputSpec::Type::choice: {
       std::string text = R"("enum": [)";
       for (std::size_t i = 0; i < spec.choices.size(); ++i) text += (i > 0 ? ", " : "") + json_quote(spec.choices[i]);
@@ -27,7 +28,8 @@ std::string form(const InputSpec& spec) {
     case InputSpec::Type::surface:
       return geometry("surface");
     case InputSpec::Type::curves:
-      return R"("type": "array", "minItems": )" + std::to_string(spec.at_least) + R"(, "items": {)" + geometry("curve") + "}";
+      return R"("type": "array", "minItems": )" + std::to_string(spec.at_least) + R"(, "items": {)" +
+             geometry("curve") + "}";
   }
   return {};
 }
@@ -37,13 +39,13 @@ std::string inputs(const Algorithm& algorithm) {
   std::string properties, required;
   for (const InputSpec& spec : algorithm.inputs) {
     properties += properties.empty() ? "\n" : ",\n";
-    properties += "        " + json_quote(spec.name) + R"(: {"description": )" + json_quote(spec.description) + ", " + form(spec) +
-                  (spec.fallback.empty() ? "" : R"(, "default": )" + std::string(spec.fallback)) + "}";
+    properties += "        " + json_quote(spec.name) + R"(: {"description": )" + json_quote(spec.description) + ", " +
+                  form(spec) + (spec.fallback.empty() ? "" : R"(, "default": )" + std::string(spec.fallback)) + "}";
     if (spec.fallback.empty()) required += (required.empty() ? "" : ", ") + json_quote(spec.name);
   }
   return "    " + json_quote(algorithm.id) + ": {\n      \"description\": " + json_quote(algorithm.summary) +
-         ",\n      \"type\": \"object\",\n      \"properties\": {" + properties + "\n      },\n      \"required\": [" + required +
-         "],\n      \"additionalProperties\": false\n    }";
+         ",\n      \"type\": \"object\",\n      \"properties\": {" + properties + "\n      },\n      \"required\": [" +
+         required + "],\n      \"additionalProperties\": false\n    }";
 }
 
 }  // namespace

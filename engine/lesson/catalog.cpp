@@ -23,7 +23,8 @@ std::vector<std::filesystem::path> json_files(const std::filesystem::path& folde
 }  // namespace
 
 const CatalogEntry* Catalog::find(std::string_view id) const {
-  const auto found = std::find_if(lessons.begin(), lessons.end(), [&](const auto& entry) { return entry.lesson.id == id; });
+  const auto found =
+      std::find_if(lessons.begin(), lessons.end(), [&](const auto& entry) { return entry.lesson.id == id; });
   return found != lessons.end() ? &*found : nullptr;
 }
 
@@ -47,7 +48,8 @@ Catalog load_catalog(const std::filesystem::path& folder) {
     }
     if (const CatalogEntry* other = catalog.find(lesson->id)) {
       const auto [line, column] = document->line_and_column(document->root().find("id")->token);
-      add({{document->name(), line, column, "id", excerpt(lesson->id) + " is the id of " + other->file.string() + " already"}});
+      add({{document->name(), line, column, "id",
+            excerpt(lesson->id) + " is the id of " + other->file.string() + " already"}});
       continue;
     }
     catalog.lessons.push_back({file, *std::move(lesson)});

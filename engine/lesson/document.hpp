@@ -1,6 +1,6 @@
 #pragma once
-// What files about an algorithm have in common (lessons, exercises): the schema's name and version, an id, the algorithm
-// and its inputs. Each reader reports its mistakes at their places and returns nothing when there was one.
+// What files about an algorithm have in common (lessons, exercises): the schema's name and version, an id, the
+// algorithm and its inputs. Each reader reports its mistakes at their places and returns nothing when there was one.
 
 #include <optional>
 #include <string>
@@ -22,8 +22,8 @@ std::optional<std::string> read_text(const Cursor&);
 // The member "algorithm" of the root; nullptr with a diagnostic (and "did you mean") if it is none.
 const Algorithm* read_algorithm(const Cursor& root);
 
-// Reads "inputs" as this algorithm's and records the exact run. What turns out impossible only on the way (the weight at
-// u is 0) is reported at the input that causes it.
+// Reads "inputs" as this algorithm's and records the exact run. What turns out impossible only on the way (the weight
+// at u is 0) is reported at the input that causes it.
 std::optional<Run<Exact>> read_run(const Cursor& root, const Algorithm&);
 
 }  // namespace blossom

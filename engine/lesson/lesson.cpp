@@ -8,7 +8,8 @@
 namespace blossom {
 
 const Beat* Lesson::beat_at(std::uint32_t step) const {
-  const auto found = std::lower_bound(beats.begin(), beats.end(), step, [](const Beat& b, std::uint32_t s) { return b.step < s; });
+  const auto found =
+      std::lower_bound(beats.begin(), beats.end(), step, [](const Beat& b, std::uint32_t s) { return b.step < s; });
   return found != beats.end() && found->step == step ? &*found : nullptr;
 }
 
@@ -44,8 +45,8 @@ std::optional<std::vector<ValueId>> read_selection(const Cursor& at, const Scrip
 
 // "raise[1].decompose" names the innermost phases of a path: whole labels, from the right.
 bool ends_with_labels(const std::string& path, const std::string& labels) {
-  return path == labels || (path.size() > labels.size() && path.ends_with(labels) &&
-                            path[path.size() - labels.size() - 1] == '.');
+  return path == labels ||
+         (path.size() > labels.size() && path.ends_with(labels) && path[path.size() - labels.size() - 1] == '.');
 }
 
 std::optional<std::uint32_t> read_phase(const Cursor& at, const Script& script) {
@@ -55,7 +56,8 @@ std::optional<std::uint32_t> read_phase(const Cursor& at, const Script& script) 
   std::vector<std::string> labels;
   for (std::uint32_t phase = 0; phase < trace.phases().size(); ++phase) {
     std::string path;
-    for (const std::uint32_t outer : trace.phase_path(phase)) path += (path.empty() ? "" : ".") + trace.phases()[outer].label();
+    for (const std::uint32_t outer : trace.phase_path(phase))
+      path += (path.empty() ? "" : ".") + trace.phases()[outer].label();
     if (ends_with_labels(path, *label)) return trace.phases()[phase].first_step;
     labels.push_back(trace.phases()[phase].label());
     labels.push_back(std::move(path));
@@ -121,7 +123,8 @@ std::vector<ValueId> read_highlight(const Cursor& at, std::optional<std::uint32_
     const std::uint32_t first = script.run->trace.value(values->front()).step;
     std::erase_if(*values, [&](ValueId v) { return script.run->trace.value(v).step > *step; });
     if (values->empty())
-      at[i].error("nothing of it is made yet at step " + std::to_string(*step) + "; the first comes at step " + std::to_string(first));
+      at[i].error("nothing of it is made yet at step " + std::to_string(*step) + "; the first comes at step " +
+                  std::to_string(first));
     highlights.insert(highlights.end(), values->begin(), values->end());
   }
   std::sort(highlights.begin(), highlights.end());
@@ -166,7 +169,8 @@ void read_optional_text(const Cursor& root, std::string_view key, std::string& t
 Checked<Lesson> load_lesson(const JsonDocument& document) {
   Diagnostics diagnostics;
   const Cursor root(document, diagnostics);
-  if (!root.expect_object({"$schema", "schema", "id", "title", "unit", "summary", "source", "minutes", "algorithm", "inputs", "beats"}))
+  if (!root.expect_object(
+          {"$schema", "schema", "id", "title", "unit", "summary", "source", "minutes", "algorithm", "inputs", "beats"}))
     return diagnostics;
   expect_schema(root, "blossom.lesson/1");
   Lesson lesson;

@@ -11,8 +11,8 @@
 //   "start", "end"      the step that shows the inputs; the last step
 //   {"step": n}         the step n
 //   {"phase": label}    the step that introduces this phase: "parameters", "raise[1]", "raise[1].decompose"
-// "say" is a template (see algorithms/narrate.hpp); "highlight" selects values made up to that step. The beats are in the
-// order of their steps, at most one at each.
+// "say" is a template (see algorithms/narrate.hpp); "highlight" selects values made up to that step. The beats are in
+// the order of their steps, at most one at each.
 
 #include <string>
 #include <vector>

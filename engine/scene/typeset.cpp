@@ -11,7 +11,7 @@ namespace {
 using Level = TextRun::Level;
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\''; }  // let's
 
 std::optional<std::string_view> letter_of(std::string_view symbol) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> letters{

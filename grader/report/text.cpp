@@ -38,8 +38,11 @@ class TextReport final : public Report {
   TextReport(const Exercise& exercise, std::size_t submissions) : exercise_(&exercise), several_(submissions > 1) {}
 
   void add(const Grade& grade, std::string& out) override {
-    Row row{printable(grade.student.empty() ? "standard input" : grade.student), percent(grade.score()),
-            of(grade.points, exercise_->max_points), {}, !grade.reason.empty()};
+    Row row{printable(grade.student.empty() ? "standard input" : grade.student),
+            percent(grade.score()),
+            of(grade.points, exercise_->max_points),
+            {},
+            !grade.reason.empty()};
     for (const PartGrade& part : grade.parts) ++row.counts[static_cast<std::size_t>(part.verdict)];
     out += row.name + ": " + row.score + " (" + row.points + " points) in " + printable(exercise_->id) + "\n";
     if (!grade.reason.empty()) {
@@ -92,8 +95,9 @@ class TextReport final : public Report {
     }
     for (std::size_t i = 0; i < grade.parts.size(); ++i) {
       const PartGrade& part = grade.parts[i];
-      out += "  " + pad(exercise_->parts[i].name, names) + "  " + pad(std::string(verdict_name(part.verdict)), verdicts) +
-             "  " + pad_left(of(part.points, exercise_->parts[i].points), points);
+      out += "  " + pad(exercise_->parts[i].name, names) + "  " +
+             pad(std::string(verdict_name(part.verdict)), verdicts) + "  " +
+             pad_left(of(part.points, exercise_->parts[i].points), points);
       out += "\n";
       if (!part.feedback.empty() && part.verdict != Verdict::correct) out += "      " + printable(part.feedback) + "\n";
     }

@@ -1,8 +1,9 @@
 // How many submissions one core grades per second: from the bytes of the answers to the bytes of the grade.
 //
 // The exercise is a cubic B-spline point by de Boor's algorithm, 13 values. Three sizes of submission: some of the
-// values (about 200 bytes), all of them (about 417), all of them as long decimals and fractions with spaces (about 2 KiB).
-// Each right; with one early mistake that is carried through all later values; and with the weights swapped throughout.
+// values (about 200 bytes), all of them (about 417), all of them as long decimals and fractions with spaces (about 2
+// KiB). Each right; with one early mistake that is carried through all later values; and with the weights swapped
+// throughout.
 
 #include <benchmark/benchmark.h>
 
@@ -67,13 +68,15 @@ std::string answers(int bytes, Kind kind) {
     if (numbers.size() > 1) text += "[";
     for (std::size_t c = 0; c < numbers.size(); ++c) {
       char digits[80];
-      std::snprintf(digits, sizeof digits, long_form ? "\"%.15f0000000000000000000000000000000000\"" : "%.5g", numbers[c]);
+      std::snprintf(digits, sizeof digits, long_form ? "\"%.15f0000000000000000000000000000000000\"" : "%.5g",
+                    numbers[c]);
       text += (c > 0 ? ", " : "") + std::string(digits);
     }
     if (numbers.size() > 1) text += "]";
   }
   text += "}}";
-  if (long_form) text.insert(text.size() - 1, static_cast<std::size_t>(std::max(0, bytes - static_cast<int>(text.size()))), ' ');
+  if (long_form)
+    text.insert(text.size() - 1, static_cast<std::size_t>(std::max(0, bytes - static_cast<int>(text.size()))), ' ');
   return text;
 }
 
@@ -90,7 +93,8 @@ void grade(benchmark::State& state) {
   std::string label = std::to_string(text.size()) + " bytes:";
   for (std::size_t v = 0; v < verdict_count; ++v) {
     const auto verdict = static_cast<Verdict>(v);
-    const auto n = std::count_if(made.parts.begin(), made.parts.end(), [&](const PartGrade& p) { return p.verdict == verdict; });
+    const auto n =
+        std::count_if(made.parts.begin(), made.parts.end(), [&](const PartGrade& p) { return p.verdict == verdict; });
     if (n > 0) label += " " + std::to_string(n) + " " + std::string(verdict_name(verdict));
   }
   state.SetLabel(label);

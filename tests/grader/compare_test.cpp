@@ -92,8 +92,9 @@ TEST_CASE("the fast and the slow way agree everywhere near a boundary") {
 
 TEST_CASE("what is no number is told from what is another number") {
   const Window w = window({}, Exact(1));
-  for (const char* text : {"", " ", " 1", "1 ", "NaN", "nan", "inf", "-inf", "Infinity", "0x1", "1/0", "1/", "/2", "1//2", "--1",
-                           "1e999999999", "1e401", "1.2.3", "1,5", "one", "1e", "-", "1/2/3", "0.5/2", "1e400"}) {
+  for (const char* text : {"",    " ",   " 1", "1 ", "NaN",   "nan",   "inf",         "-inf",  "Infinity",
+                           "0x1", "1/0", "1/", "/2", "1//2",  "--1",   "1e999999999", "1e401", "1.2.3",
+                           "1,5", "one", "1e", "-",  "1/2/3", "0.5/2", "1e400"}) {
     INFO(text);
     CHECK(fit(w, text) == Fit::no_number);
   }

@@ -44,8 +44,9 @@ TEST_CASE("a selector leaves out what is given") {
 }
 
 TEST_CASE("points of rational curves are affine, homogeneous or only weights") {
-  const auto grader = grader_of(exercise_text("de_casteljau", rational_bezier_inputs,
-                                              R"([{"value": "P[1][0]", "points": 1}, {"value": "P[1][1]", "points": 1, "form": "homogeneous"},
+  const auto grader = grader_of(
+      exercise_text("de_casteljau", rational_bezier_inputs,
+                    R"([{"value": "P[1][0]", "points": 1}, {"value": "P[1][1]", "points": 1, "form": "homogeneous"},
                                                   {"value": "P[1][2]", "points": 1, "form": "weight"}])"));
   const auto& parts = grader->exercise().parts;
   // P0 = (1, 0) of weight 1, P1 = (1, 3) of weight 2, u = 2/5: w = 7/5, (7/5, 12/5).
@@ -86,21 +87,25 @@ TEST_CASE("every mistake of an exercise is named at once, at its place") {
        {"e.json:3:9: id:", "e.json:4:12: title:", "e.json:8:3: unknown key \"asks\"; did you mean \"ask\"?",
         "e.json:11:15: ask[1].value: \"P[1][1]\" is asked twice", "e.json:12:36: ask[2].points:",
         "e.json:12:15: ask[2].value: \"P[2][9]\" matches no value of this run; did you mean \"P[2][2]\"?",
-        "e.json:13:15: ask[3].value: \"alpha[\" is no selector", "e.json:14:15: ask[4].value: \"u\" is given and cannot be asked",
+        "e.json:13:15: ask[3].value: \"alpha[\" is no selector",
+        "e.json:14:15: ask[4].value: \"u\" is given and cannot be asked",
         "unknown key \"pionts\"; did you mean \"points\"?", "missing key \"points\"",
-        "ask[6].form: is for points of rational curves", "ask[7].as: is for lists", "unknown key \"decimal\"; did you mean \"decimals\"?",
-        "e.json:19:16: tolerance: must be", "e.json:20:14: carried: must be a share from 0 to 1",
-        "e.json:21:15: feedback: must be one of"})
+        "ask[6].form: is for points of rational curves", "ask[7].as: is for lists",
+        "unknown key \"decimal\"; did you mean \"decimals\"?", "e.json:19:16: tolerance: must be",
+        "e.json:20:14: carried: must be a share from 0 to 1", "e.json:21:15: feedback: must be one of"})
     CHECK(says(found, line));
 }
 
 TEST_CASE("an unknown algorithm, impossible inputs, and an irrational value asked exactly are mistakes") {
-  CHECK(says(mistakes(exercise_text("de_bor", de_boor_inputs, R"([{"value": "k", "points": 1}])")), "did you mean \"de_boor\"?"));
+  CHECK(says(mistakes(exercise_text("de_bor", de_boor_inputs, R"([{"value": "k", "points": 1}])")),
+             "did you mean \"de_boor\"?"));
   CHECK(says(mistakes(exercise_text("de_boor", R"({"curve": {"degree": 1, "points": [[0, 0], [1, 1]]}, "u": 2})",
                                     R"([{"value": "k", "points": 1}])")),
              "inputs.u: must lie in the domain"));
-  CHECK(says(mistakes(exercise_text("skinning", skinning_inputs, R"([{"value": "d[1][0]", "points": 1}])")), "irrational"));
-  CHECK(says(mistakes(exercise_text("de_boor", de_boor_inputs, R"([{"value": "k", "points": 0}])")), "more than 0 points"));
+  CHECK(says(mistakes(exercise_text("skinning", skinning_inputs, R"([{"value": "d[1][0]", "points": 1}])")),
+             "irrational"));
+  CHECK(says(mistakes(exercise_text("de_boor", de_boor_inputs, R"([{"value": "k", "points": 0}])")),
+             "more than 0 points"));
 }
 
 TEST_CASE("a file that is none is a diagnostic") {

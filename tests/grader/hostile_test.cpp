@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 namespace {
 
 std::unique_ptr<Grader> grader_of_class() {
-  return grader_of(exercise_text("de_boor", de_boor_inputs, R"([{"value": "k", "points": 1}, {"value": "C", "points": 1}])"));
+  return grader_of(
+      exercise_text("de_boor", de_boor_inputs, R"([{"value": "k", "points": 1}, {"value": "C", "points": 1}])"));
 }
 
 void check_invalid(const Grade& grade, const std::string& reason) {
@@ -48,7 +49,8 @@ TEST_CASE("documents that are no answers are invalid as a whole, with the reason
   check("null", "must be an object");
   check("{}", "\"schema\" must be");
   check(R"({"schema": "blossom.answers/2", "exercise": "test", "answers": {}})", "not \"blossom.answers/2\"");
-  check(R"({"schema": "blossom.answers/1", "exercise": "other", "answers": {}})", "\"exercise\" must be \"test\", not \"other\"");
+  check(R"({"schema": "blossom.answers/1", "exercise": "other", "answers": {}})",
+        "\"exercise\" must be \"test\", not \"other\"");
   check(R"({"schema": "blossom.answers/1", "answers": {}})", "\"exercise\" must be");
   check(R"({"schema": "blossom.answers/1", "exercise": "test"})", "\"answers\" must be an object");
   check(R"({"schema": "blossom.answers/1", "exercise": "test", "answers": [4]})", "\"answers\" must be an object");
@@ -73,8 +75,9 @@ TEST_CASE("what a JSON reader may let pass is refused") {
 }
 
 TEST_CASE("numbers at the limits of double are read as what they are") {
-  const auto grader = grader_of(exercise_text("de_casteljau", R"({"curve": {"degree": 1, "points": [[0, 0], ["1e-400", 18446744073709551617]]}, "u": 1})",
-                                              R"([{"value": "P[1][0]", "points": 1}])"));
+  const auto grader = grader_of(exercise_text(
+      "de_casteljau", R"({"curve": {"degree": 1, "points": [[0, 0], ["1e-400", 18446744073709551617]]}, "u": 1})",
+      R"([{"value": "P[1][0]", "points": 1}])"));
   // Past 64 bits, and below the smallest double.
   CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [1e-400, 18446744073709551617]})"), "P[1][0]") == "correct");
   CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [0, 18446744073709551617]})"), "P[1][0]") != "correct");
@@ -89,7 +92,8 @@ TEST_CASE("limits: 64 KiB, 32 levels, 4096 values") {
   check_invalid(grade_text(*grader, full + " "), "too large; at most 65536 bytes");
 
   const auto nested = [](int levels) {  // the two objects around it are levels, too
-    return answers_text("{\"k\": " + std::string(static_cast<std::size_t>(levels), '[') + std::string(static_cast<std::size_t>(levels), ']') + "}");
+    return answers_text("{\"k\": " + std::string(static_cast<std::size_t>(levels), '[') +
+                        std::string(static_cast<std::size_t>(levels), ']') + "}");
   };
   CHECK(verdict(grade_text(*grader, nested(30)), "k") == "invalid");
   CHECK(grade_text(*grader, nested(30)).reason.empty());
@@ -107,7 +111,8 @@ TEST_CASE("limits: 64 KiB, 32 levels, 4096 values") {
 
 TEST_CASE("names and texts with control characters come out harmless") {
   const auto grader = grader_of_class();
-  Grade grade = grader->grade(JsonDocument::parse("a", answers_text(R"({"k": "\u001b[31m4", "\u0007\u009b2J": 1})")), "bob\x1b[2J\n");
+  Grade grade = grader->grade(JsonDocument::parse("a", answers_text(R"({"k": "\u001b[31m4", "\u0007\u009b2J": 1})")),
+                              "bob\x1b[2J\n");
   std::string text, json;
   report_formats();
   for (const ReportFormat* format : report_formats()) {
@@ -127,13 +132,15 @@ TEST_CASE("names and texts with control characters come out harmless") {
 
 TEST_CASE("long numbers are judged, and carried on in double precision") {
   const auto grader = grader_of(exercise_text(
-      "de_casteljau", R"({"curve": {"degree": 25, "points": [[0,0],[1,3],[2,1],[3,5],[4,2],[5,2],[6,7],[7,1],[8,4],[9,9],[10,1],[11,3],[12,6],
+      "de_casteljau",
+      R"({"curve": {"degree": 25, "points": [[0,0],[1,3],[2,1],[3,5],[4,2],[5,2],[6,7],[7,1],[8,4],[9,9],[10,1],[11,3],[12,6],
       [13,5],[14,3],[15,1],[16,2],[17,8],[18,2],[19,4],[20,6],[21,1],[22,3],[23,7],[24,1],[25,0]]}, "u": "1/3"})",
       R"([{"value": "P[1][*]", "points": 1}, {"value": "C", "points": 1}])"));
   std::string answers = "{";
   for (int i = 0; i < 25; ++i) {
     const std::string digits = std::string(180, static_cast<char>('1' + i % 9));
-    answers += "\"P[1][" + std::to_string(i) + "]\": [\"" + digits + "/" + digits.substr(7) + "1\", \"1e" + std::to_string(200 + i) + "\"], ";
+    answers += "\"P[1][" + std::to_string(i) + "]\": [\"" + digits + "/" + digits.substr(7) + "1\", \"1e" +
+               std::to_string(200 + i) + "\"], ";
   }
   const Grade grade = grade_answers(*grader, answers + R"("C": [1, 2]})");
   CHECK(verdict(grade, "C") == "wrong");
@@ -146,7 +153,9 @@ TEST_CASE("paths that are no files are invalid submissions") {
   fs::create_directories(folder);
   const auto good = folder / "good.json";
   std::ofstream(good) << answers_text(R"({"k": 4})");
-  const auto load = [&](const fs::path& path) { return grader->grade(JsonDocument::load(path, submission_limits), path.stem().string()); };
+  const auto load = [&](const fs::path& path) {
+    return grader->grade(JsonDocument::load(path, submission_limits), path.stem().string());
+  };
   check_invalid(load(folder / "missing.json"), "cannot be read");
   check_invalid(load(folder), "not a folder");
   check_invalid(load("/dev/zero"), "not a device");

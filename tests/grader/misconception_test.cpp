@@ -1,5 +1,5 @@
-// Each misconception of each algorithm's list is found: where it is answered, where it is not asked but its effect is, and
-// on the student's own earlier values.
+// Each misconception of each algorithm's list is found: where it is answered, where it is not asked but its effect is,
+// and on the student's own earlier values.
 
 #include <set>
 
@@ -71,7 +71,8 @@ TEST_CASE("a misconception in ratios nobody asked shows in the points") {
     for (int i = 4; i >= 1 + r; --i) {
       const Exact alpha = (u - curve.knots[i]) / (curve.knots[i + 3] - curve.knots[i]);
       P[i] = (Exact(1) - alpha) * P[i - 1] + alpha * P[i];
-      wrong["P[" + std::to_string(r) + "][" + std::to_string(i) + "]"] = "[\"" + P[i].x.to_string() + "\", \"" + P[i].y.to_string() + "\"]";
+      wrong["P[" + std::to_string(r) + "][" + std::to_string(i) + "]"] =
+          "[\"" + P[i].x.to_string() + "\", \"" + P[i].y.to_string() + "\"]";
     }
   const Grade grade = grade_answers(*grader, all_answers(grader->exercise(), wrong));
   CHECK(found_id(grade, "P[2][3]") == "neighbour-knot");
@@ -86,8 +87,9 @@ TEST_CASE("swapped weights throughout show in the result alone") {
 }
 
 TEST_CASE("a misconception on the student's own values is found") {
-  const auto grader = grader_of(exercise_text("de_casteljau", R"({"curve": {"degree": 2, "points": [[0, 0], [3, 6], [9, 3]]}, "u": "1/3"})",
-                                              R"([{"value": "P[1..2][*]", "points": 1}])"));
+  const auto grader = grader_of(
+      exercise_text("de_casteljau", R"({"curve": {"degree": 2, "points": [[0, 0], [3, 6], [9, 3]]}, "u": "1/3"})",
+                    R"([{"value": "P[1..2][*]", "points": 1}])"));
   // Right: (1, 2) (5, 5); (7/3, 3). Own P[1][0] = (2, 2), then weights swapped: 1/3 (2, 2) + 2/3 (5, 5).
   const Grade grade = grade_answers(*grader, R"({"P[1][0]": [2.5, 2], "P[1][1]": [5, 5], "P[2][0]": ["25/6", 4]})");
   CHECK(found_id(grade, "P[1][0]") == "wrong");
@@ -99,7 +101,8 @@ TEST_CASE("the division by the weight forgotten in every answer is found in ever
   const Exercise& exercise = grader->exercise();
   std::map<std::string, std::string> undivided;
   for (const Part& p : exercise.parts) {
-    const auto numbers = exercise.run.trace.numbers(p.name == "C" ? exercise.parts[*exercise.part("P[3][0]")].value : p.value);
+    const auto numbers =
+        exercise.run.trace.numbers(p.name == "C" ? exercise.parts[*exercise.part("P[3][0]")].value : p.value);
     undivided[p.name] = "[" + json_quote(numbers[0].to_string()) + ", " + json_quote(numbers[1].to_string()) + "]";
   }
   const Grade grade = grade_answers(*grader, all_answers(exercise, undivided));
@@ -108,7 +111,8 @@ TEST_CASE("the division by the weight forgotten in every answer is found in ever
 }
 
 TEST_CASE("the span one too early, at a knot and between knots") {
-  const auto grader = grader_of(exercise_text("de_boor", de_boor_inputs, R"([{"value": "k", "points": 1}, {"value": "C", "points": 1}])",
+  const auto grader = grader_of(exercise_text("de_boor", de_boor_inputs,
+                                              R"([{"value": "k", "points": 1}, {"value": "C", "points": 1}])",
                                               R"(, "partial": {"misconception": 0.5})"));
   const Grade grade = grade_answers(*grader, R"({"k": 5})");
   CHECK(found_id(grade, "k") == "wrong-span");
@@ -118,7 +122,8 @@ TEST_CASE("the span one too early, at a knot and between knots") {
 }
 
 TEST_CASE("elevation with i/p, swapped weights, and knots not raised") {
-  const auto grader = grader_of(exercise_text("degree_elevation", R"({"curve": {"degree": 3, "points": [[0, 0], [3, 9], [6, 0], [9, 3]]}})",
+  const auto grader = grader_of(exercise_text("degree_elevation",
+                                              R"({"curve": {"degree": 3, "points": [[0, 0], [3, 9], [6, 0], [9, 3]]}})",
                                               R"([{"value": "Q[*]", "points": 1}])"));
   // Right: Q[1] = 1/4 P0 + 3/4 P1 = (9/4, 27/4). With 1/3: (2, 6). Swapped: (3/4, 9/4).
   CHECK(found_id(grade_answers(*grader, R"({"Q[1]": [2, 6]})"), "Q[1]") == "elevation-ratio");

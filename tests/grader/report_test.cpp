@@ -11,7 +11,8 @@ const ReportFormat& format(std::string_view name) {
   std::abort();
 }
 
-std::string report(const ReportFormat& format, const Grader& grader, const std::vector<std::pair<std::string, std::string>>& class_) {
+std::string report(const ReportFormat& format, const Grader& grader,
+                   const std::vector<std::pair<std::string, std::string>>& class_) {
   const auto report = format.open(grader.exercise(), class_.size());
   std::string out;
   for (const auto& [student, answers] : class_)
@@ -32,24 +33,27 @@ TEST_CASE("each file of the folder is a format") {
 
 TEST_CASE("a grade as JSON has just the members of its schema") {
   const auto grader = grader_of(exercise_text("de_casteljau", inputs, ask, R"(, "feedback": "verdict")"));
-  CHECK(report(format("json"), *grader, {{"ann", answers_text(R"({"P[1][0]": [1, 2], "P[1][1]": [-3, 2]})")}}) ==
-        R"({"schema":"blossom.grade/1","exercise":"test","student":"ann","score":0.4,"points":1,"max_points":2.5,"parts":[)"
-        R"({"value":"P[1][0]","verdict":"correct","points":1,"max_points":1,"feedback":""},)"
-        R"({"value":"P[1][1]","verdict":"slip","points":0,"max_points":1,"feedback":""},)"
-        R"({"value":"C","verdict":"missing","points":0,"max_points":0.5,"feedback":""}]})"
-        "\n");
-  CHECK(report(format("json"), *grader, {{"", "oops"}}) ==
-        R"({"schema":"blossom.grade/1","exercise":"test","score":0,"points":0,"max_points":2.5,"parts":[)"
-        R"({"value":"P[1][0]","verdict":"invalid","points":0,"max_points":1,"feedback":""},)"
-        R"({"value":"P[1][1]","verdict":"invalid","points":0,"max_points":1,"feedback":""},)"
-        R"({"value":"C","verdict":"invalid","points":0,"max_points":0.5,"feedback":""}],)"
-        R"("reason":"line 1, column 1: unexpected \"oops\"; expected a value: a number, a \"string\", [...], {...}, true, false or null"})"
-        "\n");
+  CHECK(
+      report(format("json"), *grader, {{"ann", answers_text(R"({"P[1][0]": [1, 2], "P[1][1]": [-3, 2]})")}}) ==
+      R"({"schema":"blossom.grade/1","exercise":"test","student":"ann","score":0.4,"points":1,"max_points":2.5,"parts":[)"
+      R"({"value":"P[1][0]","verdict":"correct","points":1,"max_points":1,"feedback":""},)"
+      R"({"value":"P[1][1]","verdict":"slip","points":0,"max_points":1,"feedback":""},)"
+      R"({"value":"C","verdict":"missing","points":0,"max_points":0.5,"feedback":""}]})"
+      "\n");
+  CHECK(
+      report(format("json"), *grader, {{"", "oops"}}) ==
+      R"({"schema":"blossom.grade/1","exercise":"test","score":0,"points":0,"max_points":2.5,"parts":[)"
+      R"({"value":"P[1][0]","verdict":"invalid","points":0,"max_points":1,"feedback":""},)"
+      R"({"value":"P[1][1]","verdict":"invalid","points":0,"max_points":1,"feedback":""},)"
+      R"({"value":"C","verdict":"invalid","points":0,"max_points":0.5,"feedback":""}],)"
+      R"("reason":"line 1, column 1: unexpected \"oops\"; expected a value: a number, a \"string\", [...], {...}, true, false or null"})"
+      "\n");
 }
 
 TEST_CASE("several grades are one JSON object per line, in the order given") {
   const auto grader = grader_of(exercise_text("de_casteljau", inputs, ask));
-  const std::string out = report(format("json"), *grader, {{"b", answers_text("{}")}, {"a", "["}, {"c", all_answers(grader->exercise())}});
+  const std::string out =
+      report(format("json"), *grader, {{"b", answers_text("{}")}, {"a", "["}, {"c", all_answers(grader->exercise())}});
   std::vector<std::string> students;
   for (std::size_t at = 0, end = 0; (end = out.find('\n', at)) != std::string::npos; at = end + 1) {
     const auto line = JsonDocument::parse("line", out.substr(at, end - at));
@@ -66,8 +70,8 @@ TEST_CASE("grades as text: a block for each student, then a table of scores") {
                 {"Zo\u00eb", answers_text(R"({"P[1][0]": [2, 1], "C": "x", "k": 1})")},
                 {"max", "?"}}) ==
         "ann: 100 % (2.5/2.5 points) in test\n"
-        "  P[1][0]  correct    1/1\n"
-        "  P[1][1]  correct    1/1\n"
+        "  P[1][0]  correct      1/1\n"
+        "  P[1][1]  correct      1/1\n"
         "  C        correct  0.5/0.5\n"
         "\n"
         "Zo\u00eb: 0 % (0/2.5 points) in test\n"
@@ -80,7 +84,8 @@ TEST_CASE("grades as text: a block for each student, then a table of scores") {
         "  note: \"k\" is not asked and was ignored\n"
         "\n"
         "max: 0 % (0/2.5 points) in test\n"
-        "  invalid: line 1, column 1: unexpected \"?\"; expected a value: a number, a \"string\", [...], {...}, true, false or null\n"
+        "  invalid: line 1, column 1: unexpected \"?\"; expected a value: a number, a \"string\", [...], {...}, true, "
+        "false or null\n"
         "\n"
         "name  score   points  correct  carried  misconception  slip  wrong  missing  invalid\n"
         "ann   100 %  2.5/2.5        3        .              .     .      .        .        .\n"

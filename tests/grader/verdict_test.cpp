@@ -8,7 +8,9 @@ namespace {
 
 const std::string tolerances = R"(, "tolerance": {"decimals": 6})";
 
-std::unique_ptr<Grader> standard(const Standard& s) { return grader_of(exercise_text(s.algorithm, s.inputs, s.ask, tolerances)); }
+std::unique_ptr<Grader> standard(const Standard& s) {
+  return grader_of(exercise_text(s.algorithm, s.inputs, s.ask, tolerances));
+}
 
 std::unique_ptr<Grader> de_boor_grader(const std::string& more = "") {
   return grader_of(exercise_text("de_boor", de_boor_inputs, standards[2].ask, more));
@@ -43,13 +45,13 @@ TEST_CASE("a trace's own answers are right, and with any one value changed they 
 TEST_CASE("an early mistake costs its own points and no others") {
   const auto grader = de_boor_grader();
   // alpha[1][3] = 1/2 instead of 8/15; everything behind it follows by the right rules.
-  const Grade grade = grade_answers(
-      *grader, all_answers(grader->exercise(), {{"alpha[1][3]", "0.5"},
-                                                {"P[1][3]", R"([16, "41/2"])"},
-                                                {"P[2][3]", R"(["66/5", "98/5"])"},
-                                                {"P[2][4]", R"(["1029/50", "487/25"])"},
-                                                {"P[3][4]", R"(["11007/625", "12222/625"])"},
-                                                {"C", R"(["11007/625", "12222/625"])"}}));
+  const Grade grade =
+      grade_answers(*grader, all_answers(grader->exercise(), {{"alpha[1][3]", "0.5"},
+                                                              {"P[1][3]", R"([16, "41/2"])"},
+                                                              {"P[2][3]", R"(["66/5", "98/5"])"},
+                                                              {"P[2][4]", R"(["1029/50", "487/25"])"},
+                                                              {"P[3][4]", R"(["11007/625", "12222/625"])"},
+                                                              {"C", R"(["11007/625", "12222/625"])"}}));
   CHECK(verdict(grade, "alpha[1][3]") == "wrong");
   CHECK(verdict(grade, "P[1][3]") == "carried");
   CHECK(verdict(grade, "P[1][2]") == "correct");
@@ -57,9 +59,9 @@ TEST_CASE("an early mistake costs its own points and no others") {
 }
 
 TEST_CASE("carried values chain through all levels, by the student's own numbers at each") {
-  const auto grader = grader_of(
-      exercise_text("de_casteljau", R"({"curve": {"degree": 3, "points": [[0, 0], [2, 4], [6, 4], [8, 0]]}, "u": "1/2"})",
-                    R"([{"value": "P[1..3][*]", "points": 2}, {"value": "C", "points": 2}])", R"(, "carried": "1/2")"));
+  const auto grader = grader_of(exercise_text(
+      "de_casteljau", R"({"curve": {"degree": 3, "points": [[0, 0], [2, 4], [6, 4], [8, 0]]}, "u": "1/2"})",
+      R"([{"value": "P[1..3][*]", "points": 2}, {"value": "C", "points": 2}])", R"(, "carried": "1/2")"));
   // Right: P1 = (1,2) (4,4) (7,2); P2 = (5/2,3) (11/2,3); P3 = (4,3). The student has P[1][0] = (1,1).
   const Grade grade = grade_answers(*grader, R"({"P[1][0]": [1, 1], "P[1][1]": [4, 4], "P[1][2]": [7, 2],
       "P[2][0]": [2.5, 2.5], "P[2][1]": [5.5, 3], "P[3][0]": [4, 2.75], "C": [4, "11/4"]})");
@@ -75,10 +77,58 @@ TEST_CASE("carried values chain through all levels, by the student's own numbers
 }
 
 TEST_CASE("a value carried through levels nobody asked is found") {
-  const auto grader = grader_of(
-      exercise_text("de_casteljau", R"({"curve": {"degree": 3, "points": [[0, 0], [2, 4], [6, 4], [8, 0]]}, "u": "1/2"})",
-                    R"([{"value": "P[1][0]", "points": 1}, {"value": "C", "points": 1}])"));
+  const auto grader = grader_of(exercise_text(
+      "de_casteljau", R"({"curve": {"degree": 3, "points": [[0, 0], [2, 4], [6, 4], [8, 0]]}, "u": "1/2"})",
+      R"([{"value": "P[1][0]", "points": 1}, {"value": "C", "points": 1}])"));
   CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [1, 1], "C": [4, 2.75]})"), "C") == "carried");
+}
+
+TEST_CASE("affine answers of a rational curve carry with the right weights, homogeneous ones with their own") {
+  // P = (0, 0), (2, 2), (4, 0) with weights 1, 3, 1 and u = 1/2: P[1] = (3/2, 3/2), (5/2, 3/2) of weight 2; C = (2,
+  // 3/2).
+  const char* const arc =
+      R"({"curve": {"degree": 2, "points": [[0, 0], [2, 2], [4, 0]], "weights": [1, 3, 1]}, "u": "1/2"})";
+  const auto affine = grader_of(
+      exercise_text("de_casteljau", arc, R"([{"value": "P[*][*]", "points": 1}, {"value": "C", "points": 1}])"));
+  Grade grade =
+      grade_answers(*affine, R"({"P[1][0]": [1, 0.5], "P[1][1]": [2.5, 1.5], "P[2][0]": [1.75, 1], "C": ["7/4", 1]})");
+  CHECK(verdict(grade, "P[1][0]") == "wrong");
+  CHECK(verdict(grade, "P[2][0]") == "carried");
+  CHECK(verdict(grade, "C") == "carried");
+  const auto homogeneous = grader_of(
+      exercise_text("de_casteljau", arc,
+                    R"([{"value": "P[*][*]", "points": 1, "form": "homogeneous"}, {"value": "C", "points": 1}])"));
+  grade = grade_answers(*homogeneous,
+                        R"({"P[1][0]": [3, 3, 4], "P[1][1]": [5, 3, 2], "P[2][0]": [4, 3, 3], "C": ["4/3", 1]})");
+  CHECK(verdict(grade, "P[1][0]") == "wrong");
+  CHECK(verdict(grade, "P[1][1]") == "correct");
+  CHECK(verdict(grade, "P[2][0]") == "carried");
+  CHECK(verdict(grade, "C") == "carried");
+  const auto weights = grader_of(exercise_text(
+      "de_casteljau", arc,
+      R"([{"value": "P[1][*]", "points": 1, "form": "weight"}, {"value": "P[2][0]", "points": 1, "form": "weight"}])"));
+  grade = grade_answers(*weights, R"({"P[1][0]": 3, "P[1][1]": 2, "P[2][0]": 2.5})");
+  CHECK(verdict(grade, "P[1][0]") == "wrong");
+  CHECK(verdict(grade, "P[2][0]") == "carried");
+}
+
+TEST_CASE("irrational values carry like others") {
+  const auto grader = grader_of(exercise_text(
+      "skinning", skinning_inputs,
+      R"([{"value": "e[*][*]", "points": 1}, {"value": "e[*]", "points": 1}, {"value": "v[*]", "points": 1},
+                                                  {"value": "V[3]", "points": 1}])",
+      R"(, "tolerance": {"decimals": 3})"));
+  // e[1][0] = 0.3 in place of 0.2536: the mean of 0.3, 0.30500 and 0.23776, then v_1, v_2 = v_1 + 0.50230, and their
+  // mean.
+  std::map<std::string, std::string> rounded{
+      {"e[1][0]", "0.3"}, {"e[1]", "0.281"}, {"v[1]", "0.281"}, {"v[2]", "0.783"}, {"V[3]", "0.532"}};
+  const Grade grade = grade_answers(*grader, all_answers(grader->exercise(), rounded));
+  CHECK(verdict(grade, "e[1][0]") == "wrong");
+  for (const char* name : {"e[1]", "v[1]", "v[2]", "V[3]"}) {
+    INFO(name);
+    CHECK(verdict(grade, name) == "carried");
+  }
+  CHECK(verdict(grade, "e[2]") == "correct");
 }
 
 TEST_CASE("the right value is correct whatever came before, and then carries as the right one") {
@@ -89,24 +139,28 @@ TEST_CASE("the right value is correct whatever came before, and then carries as 
 }
 
 TEST_CASE("a rounded value carries: as it was meant, and as it was written down") {
-  const auto grader = grader_of(exercise_text("de_boor", de_boor_inputs, standards[2].ask, R"(, "tolerance": {"decimals": 2})"));
+  const auto grader =
+      grader_of(exercise_text("de_boor", de_boor_inputs, standards[2].ask, R"(, "tolerance": {"decimals": 2})"));
   // alpha[1][3] = 1/3 by mistake, written as 0.33. With 1/3: P[1][3] = (34/3, 61/3); with 0.33: (11.24, 20.33).
   for (const char* point : {"[11.33, 20.33]", "[11.24, 20.33]"}) {
     INFO(point);
-    CHECK(verdict(grade_answers(*grader, all_answers(grader->exercise(), {{"alpha[1][3]", "0.33"}, {"P[1][3]", point}})), "P[1][3]") ==
-          "carried");
+    CHECK(
+        verdict(grade_answers(*grader, all_answers(grader->exercise(), {{"alpha[1][3]", "0.33"}, {"P[1][3]", point}})),
+                "P[1][3]") == "carried");
   }
-  CHECK(verdict(grade_answers(*grader, all_answers(grader->exercise(), {{"alpha[1][3]", "0.33"}, {"P[1][3]", "[11.9, 20.33]"}})),
+  CHECK(verdict(grade_answers(*grader,
+                              all_answers(grader->exercise(), {{"alpha[1][3]", "0.33"}, {"P[1][3]", "[11.9, 20.33]"}})),
                 "P[1][3]") == "wrong");
   // Right values rounded are no licence: P[1][2] = (8/5, 81/5) by alpha = 0.80.
-  CHECK(verdict(grade_answers(*grader, all_answers(grader->exercise(), {{"alpha[1][2]", "0.80"}, {"P[1][2]", "[1.61, 16.2]"}})),
+  CHECK(verdict(grade_answers(*grader,
+                              all_answers(grader->exercise(), {{"alpha[1][2]", "0.80"}, {"P[1][2]", "[1.61, 16.2]"}})),
                 "P[1][2]") == "wrong");
 }
 
 TEST_CASE("carried credit is refused where the own values leave nothing to compute") {
-  const auto grader = grader_of(
-      exercise_text("de_casteljau", R"({"curve": {"degree": 3, "points": [[0, 0], [2, 4], [6, 4], [8, 0]]}, "u": "1/2"})",
-                    R"([{"value": "P[1..3][*]", "points": 2}, {"value": "C", "points": 2}])"));
+  const auto grader = grader_of(exercise_text(
+      "de_casteljau", R"({"curve": {"degree": 3, "points": [[0, 0], [2, 4], [6, 4], [8, 0]]}, "u": "1/2"})",
+      R"([{"value": "P[1..3][*]", "points": 2}, {"value": "C", "points": 2}])"));
   for (const char* same : {"[0, 0]", "[5, 7]"}) {
     INFO(same);
     std::map<std::string, std::string> all_same;
@@ -117,27 +171,31 @@ TEST_CASE("carried credit is refused where the own values leave nothing to compu
     CHECK(part(grade, "P[2][0]").feedback.find("all equal or zero") != std::string::npos);
   }
   // Of levels nobody asked as well.
-  const auto sparse = grader_of(
-      exercise_text("de_casteljau", R"({"curve": {"degree": 3, "points": [[0, 0], [2, 4], [6, 4], [8, 0]]}, "u": "1/2"})",
-                    R"([{"value": "P[1][*]", "points": 1}, {"value": "C", "points": 1}])"));
-  CHECK(verdict(grade_answers(*sparse, R"({"P[1][0]": [5, 7], "P[1][1]": [5, 7], "P[1][2]": [5, 7], "C": [5, 7]})"), "C") == "wrong");
+  const auto sparse = grader_of(exercise_text(
+      "de_casteljau", R"({"curve": {"degree": 3, "points": [[0, 0], [2, 4], [6, 4], [8, 0]]}, "u": "1/2"})",
+      R"([{"value": "P[1][*]", "points": 1}, {"value": "C", "points": 1}])"));
+  CHECK(verdict(grade_answers(*sparse, R"({"P[1][0]": [5, 7], "P[1][1]": [5, 7], "P[1][2]": [5, 7], "C": [5, 7]})"),
+                "C") == "wrong");
 }
 
 TEST_CASE("points that coincide in the exercise itself are no trick") {
   const auto grader = grader_of(
       exercise_text("de_casteljau", R"({"curve": {"degree": 2, "points": [[0, 0], [2, 2], [2, 2]]}, "u": "1/2"})",
                     R"([{"value": "P[1..2][*]", "points": 1}, {"value": "C", "points": 1}])"));
-  const Grade grade = grade_answers(*grader, R"({"P[1][0]": [5, 3], "P[1][1]": [2, 2], "P[2][0]": [3.5, 2.5], "C": [3.5, 2.5]})");
+  const Grade grade =
+      grade_answers(*grader, R"({"P[1][0]": [5, 3], "P[1][1]": [2, 2], "P[2][0]": [3.5, 2.5], "C": [3.5, 2.5]})");
   CHECK(verdict(grade, "P[2][0]") == "carried");
   CHECK(verdict(grade, "C") == "carried");
 }
 
 TEST_CASE("slips: a sign, all signs, exchanged coordinates, transposed digits") {
-  const auto grader =
-      grader_of(exercise_text("de_casteljau", R"({"curve": {"degree": 2, "points": [[0, 10], [24, 44], [22, 22]]}, "u": "1/2"})",
-                              R"([{"value": "P[1..2][*]", "points": 1}])", R"(, "partial": {"slip": "1/4"})"));
+  const auto grader = grader_of(
+      exercise_text("de_casteljau", R"({"curve": {"degree": 2, "points": [[0, 10], [24, 44], [22, 22]]}, "u": "1/2"})",
+                    R"([{"value": "P[1..2][*]", "points": 1}])", R"(, "partial": {"slip": "1/4"})"));
   // P1 = (12, 27) (23, 33); P2 = (35/2, 30).
-  const auto slip = [&](const char* answer) { return part(grade_answers(*grader, std::string(R"({"P[1][0]": )") + answer + "}"), "P[1][0]"); };
+  const auto slip = [&](const char* answer) {
+    return part(grade_answers(*grader, std::string(R"({"P[1][0]": )") + answer + "}"), "P[1][0]");
+  };
   CHECK(slip("[-12, 27]").feedback.starts_with("The sign of x is wrong."));
   CHECK(slip("[12, -27]").feedback.starts_with("The sign of y is wrong."));
   CHECK(slip("[-12, -27]").feedback.starts_with("All signs are wrong."));
@@ -147,7 +205,8 @@ TEST_CASE("slips: a sign, all signs, exchanged coordinates, transposed digits") 
   CHECK(slip("[12, 72]").points == Exact::ratio(1, 4));
   CHECK(slip("[13, 28]").verdict == Verdict::wrong);
   // A slip is also told from what the own values make expected: P[1][0] = (14, 27) makes P[2][0] = (37/2, 30).
-  CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [14, 27], "P[1][1]": [23, 33], "P[2][0]": [-18.5, 30]})"), "P[2][0]") == "slip");
+  CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [14, 27], "P[1][1]": [23, 33], "P[2][0]": [-18.5, 30]})"),
+                "P[2][0]") == "slip");
 }
 
 TEST_CASE("missing and invalid parts, with the reason") {
@@ -163,8 +222,8 @@ TEST_CASE("missing and invalid parts, with the reason") {
   CHECK(invalid("k", "[4]").find("must be a whole number such as 3, not an array of 1") != std::string::npos);
   CHECK(invalid("P[1][2]", "[1, 2, 3]").find("must be an array of 2 numbers") != std::string::npos);
   CHECK(invalid("P[1][2]", "{\"x\": 1, \"y\": 2}").find("not an object") != std::string::npos);
-  for (const char* answer : {"null", "true", "\"NaN\"", "\"1/0\"", "\"1e999999999\"", "\"\"", "\"four\"", "{}", "[]", "[[4]]", "\"1 000\"",
-                             "\"0x4\"", "\"inf\""})
+  for (const char* answer : {"null", "true", "\"NaN\"", "\"1/0\"", "\"1e999999999\"", "\"\"", "\"four\"", "{}", "[]",
+                             "[[4]]", "\"1 000\"", "\"0x4\"", "\"inf\""})
     invalid("k", answer);
   invalid("k", ("\"" + std::string(10000, '7') + "\"").c_str());
   invalid("P[1][2]", "[1, null]");
@@ -187,7 +246,8 @@ TEST_CASE("an answer nobody asked is a note, and costs nothing") {
 }
 
 TEST_CASE("knot vectors are lists, or sets where the exercise says so") {
-  const auto grader = grader_of(exercise_text("knot_insertion", insertion_inputs, R"([{"value": "Ubar", "points": 1, "as": "set"}])"));
+  const auto grader =
+      grader_of(exercise_text("knot_insertion", insertion_inputs, R"([{"value": "Ubar", "points": 1, "as": "set"}])"));
   const auto list = grader_of(exercise_text("knot_insertion", insertion_inputs, R"([{"value": "Ubar", "points": 1}])"));
   const std::string in_order = R"([0, 0, 0, 0, 0.25, 0.4, 0.4, 0.5, 0.75, 1, 1, 1, 1])";
   const std::string mixed = R"([0.4, 1, 1, 1, 1, 0, 0.25, 0, 0, 0.4, 0, 0.5, 0.75])";
@@ -198,7 +258,8 @@ TEST_CASE("knot vectors are lists, or sets where the exercise says so") {
   CHECK(verdict(grade_answers(*list, R"({"Ubar": []})"), "Ubar") == "wrong");
   CHECK(verdict(grade_answers(*grader, R"({"Ubar": )" + mixed + "}"), "Ubar") == "correct");
   CHECK(verdict(grade_answers(*grader, R"({"Ubar": {"set": )" + mixed + "}}"), "Ubar") == "correct");
-  CHECK(verdict(grade_answers(*grader, R"({"Ubar": {"set": )" + once + "}}"), "Ubar") == "wrong");  // multiplicity counts
+  CHECK(verdict(grade_answers(*grader, R"({"Ubar": {"set": )" + once + "}}"), "Ubar") ==
+        "wrong");  // multiplicity counts
   CHECK(verdict(grade_answers(*grader, R"({"Ubar": {"sets": []}})"), "Ubar") == "invalid");
 }
 

@@ -67,8 +67,8 @@ TEST_CASE("broken lessons are named, and the others are there all the same") {
     if (files.empty() || files.back() != file) files.push_back(file);
   }
   CHECK(files == std::vector<std::string>{"2.json", "3.json", "4.json"});
-  CHECK(to_string(catalog.diagnostics[0]) ==
-        (folder.path / "2.json").string() + ":1:38: id: \"a\" is the id of " + (folder.path / "1.json").string() + " already");
+  CHECK(to_string(catalog.diagnostics[0]) == (folder.path / "2.json").string() + ":1:38: id: \"a\" is the id of " +
+                                                 (folder.path / "1.json").string() + " already");
 }
 
 TEST_CASE("a folder that is not there") {

@@ -40,8 +40,9 @@ std::string beat(const std::string& at, const std::string& say = "Look.") {
 }  // namespace
 
 TEST_CASE("a lesson is its run, and what is said at its steps") {
-  const auto lesson = lesson_of(beat("\"start\"", "Where is u = {u}?") + "," + beat("\"P[1][*]\"", "{numbers} = {value}") + "," +
-                                beat("{\"step\": 3}", "Between {P[1][0]} and {P[1][1]}.") + "," + beat("\"end\"", "C = {C}"));
+  const auto lesson =
+      lesson_of(beat("\"start\"", "Where is u = {u}?") + "," + beat("\"P[1][*]\"", "{numbers} = {value}") + "," +
+                beat("{\"step\": 3}", "Between {P[1][0]} and {P[1][1]}.") + "," + beat("\"end\"", "C = {C}"));
   CHECK(lesson.id == "a-lesson");
   CHECK(lesson.title == "A lesson");
   CHECK(lesson.algorithm == find_algorithm("de_casteljau"));
@@ -75,8 +76,8 @@ TEST_CASE("a beat at a selector stands where its first value is made") {
 }
 
 TEST_CASE("a beat at a phase stands at the step that introduces it") {
-  const auto lesson = lesson_of(beat("{\"phase\": \"elevate\"}") + "," + beat("{\"phase\": \"elevate.round[2]\"}") + "," +
-                                    beat("{\"phase\": \"recompose\"}"),
+  const auto lesson = lesson_of(beat("{\"phase\": \"elevate\"}") + "," + beat("{\"phase\": \"elevate.round[2]\"}") +
+                                    "," + beat("{\"phase\": \"recompose\"}"),
                                 raised);
   const auto run = record<Exact>(*lesson.algorithm, lesson.inputs);
   REQUIRE(run);
@@ -120,8 +121,9 @@ TEST_CASE("every mistake of a lesson at once, each at its line and column") {
   ]
 })"));
   CHECK_FALSE(lesson);
-  CHECK(to_string(lesson.diagnostics) ==
-        R"(lesson.json:2:13: schema: must be "blossom.lesson/1", not "blossom.lesson/2"; this program does not know that version
+  CHECK(
+      to_string(lesson.diagnostics) ==
+      R"(lesson.json:2:13: schema: must be "blossom.lesson/1", not "blossom.lesson/2"; this program does not know that version
 lesson.json:3:9: id: must be 1 to 64 of a-z, 0-9 and -, such as "de-boor-2", not "No id"
 lesson.json:4:3: unknown key "titel"; did you mean "title"?
 lesson.json:5:12: title: must not be empty
@@ -148,7 +150,8 @@ lesson.json:19:12: beats[9].at: stands at step 3 as the beat before does; one be
 
 TEST_CASE("a phase that is misspelled") {
   CHECK(mistakes(beat("{\"phase\": \"recompos\"}"), raised) ==
-        "lesson.json:3:28: beats[0].at.phase: no phase of this run is called \"recompos\"; did you mean \"recompose\"?\n");
+        "lesson.json:3:28: beats[0].at.phase: no phase of this run is called \"recompos\"; did you mean "
+        "\"recompose\"?\n");
 }
 
 TEST_CASE("an algorithm that does not exist does not hide what else is wrong") {
@@ -166,12 +169,13 @@ TEST_CASE("inputs that are wrong, and inputs that turn out impossible on the way
 "inputs": {"curve": {"degree": 1, "points": [[0, 0], [1, 1, 1]]}, "u": 2, "v": 3}, )") ==
         "lesson.json:2:54: inputs.curve.points[1]: must have 2 coordinates, as the first point has, not 3\n"
         "lesson.json:2:75: inputs: unknown key \"v\"; the keys here are \"curve\" and \"u\"\n");
-  CHECK(mistakes(beat("\"start\""), R"("algorithm": "skinning",
+  CHECK(
+      mistakes(beat("\"start\""), R"("algorithm": "skinning",
 "inputs": {"profiles": [
 {"degree": 1, "points": [[0, 0, 0], [1, 0, 0]]},
 {"degree": 1, "points": [[0, 0, 0], [1, 0, 0]]},
 {"degree": 1, "points": [[0, 0, 1], [1, 0, 1]]}], "degree_v": 1}, )") ==
-        "lesson.json:4:1: inputs.profiles[1]: coincides with the profile before it: neighbouring profiles must differ\n");
+      "lesson.json:4:1: inputs.profiles[1]: coincides with the profile before it: neighbouring profiles must differ\n");
 }
 
 TEST_CASE("what a lesson must have") {

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <iostream>
 
+#include "algorithms/trace_json.hpp"
 #include "app/input.hpp"
 #include "geometry/document.hpp"
 #include "grader/exercise.hpp"
+#include "lesson/document.hpp"
 #include "lesson/file_kind.hpp"
-#include "algorithms/trace_json.hpp"
 
 namespace blossom {
 namespace {
@@ -32,6 +33,59 @@ std::vector<fs::path> expand(const std::vector<std::string>& given) {
   return files;
 }
 
+// The exercise of this id in the folder of exercises, if it is there and in order.
+std::optional<Exercise> find_exercise(const std::string& id) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(find_folder("exercises"), error)) {
+    if (entry.path().extension() != ".json" || entry.path().stem().string().ends_with(".schema")) continue;
+    const auto document = JsonDocument::load(entry.path());
+    if (!document) continue;
+    const Json* own = document->root().find("id");
+    if (own == nullptr || own->text != id) continue;
+    auto exercise = read_exercise(*document);
+    if (exercise) return std::move(*exercise);
+  }
+  return std::nullopt;
+}
+
+// A number, an array of numbers, or {"set": [numbers]}.
+void check_answer(const Cursor& at) {
+  if (at.is(Json::Kind::object)) {
+    at.expect_object({"set"});
+    if (const auto set = at.required("set"); set && set->expect_array())
+      for (std::size_t i = 0; i < set->size(); ++i) (*set)[i].number();
+  } else if (at.is(Json::Kind::array)) {
+    for (std::size_t i = 0; i < at.size(); ++i) at[i].number();
+  } else {
+    at.number();
+  }
+}
+
+// What answers can be told without grading them: their form, and names that their exercise does not ask for.
+void check_answers(const Cursor& root) {
+  if (!root.expect_object({"$schema", "schema", "exercise", "answers"})) return;
+  expect_schema(root, "blossom.answers/1");
+  const auto id = root.required("exercise");
+  const auto text = id ? id->string() : std::nullopt;
+  const auto answers = root.required("answers");
+  if (!answers || !answers->is(Json::Kind::object)) {
+    if (answers) answers->error("must be an object of names and values, such as {\"P[1][0]\": [1, \"3/2\"]}");
+    return;
+  }
+  const auto exercise = text ? find_exercise(*text) : std::nullopt;
+  std::vector<std::string> asked;
+  if (exercise)
+    for (const Part& part : exercise->parts) asked.push_back(part.name);
+  for (std::size_t i = 0; i < answers->size(); ++i) {
+    const std::string& name = answers->json().keys[i];
+    check_answer(answers->member(i));
+    if (asked.empty() || std::ranges::find(asked, name) != asked.end()) continue;
+    std::string message = "the exercise does not ask for " + excerpt(name);
+    if (const auto near = did_you_mean(name, asked)) message += "; did you mean \"" + *near + "\"?";
+    answers->key_error(i, message);
+  }
+}
+
 Diagnostics lint(const JsonDocument& document) {
   Diagnostics diagnostics;
   const Cursor root(document, diagnostics);
@@ -41,8 +95,8 @@ Diagnostics lint(const JsonDocument& document) {
     case FileKind::trace: return read_trace(document).diagnostics;
     case FileKind::curve: read_curve(root); break;
     case FileKind::surface: read_surface(root); break;
-    case FileKind::answers:
-    case FileKind::grade: break;
+    case FileKind::answers: check_answers(root); break;
+    case FileKind::grade: expect_schema(root, "blossom.grade/1"); break;
     case FileKind::unknown:
       root.error(
           "is no file of Blossom's: \"schema\" must be \"blossom.lesson/1\", \"blossom.exercise/1\", \"blossom.answers/1\" or "
@@ -61,10 +115,11 @@ int run(const std::vector<std::string>& given) {
     good += found.empty() ? 1 : 0;
     all.insert(all.end(), found.begin(), found.end());
   }
+  const int status = report(all);
   std::cout << good << (good == 1 ? " file is" : " files are") << " in order";
   if (!all.empty()) std::cout << ", " << all.size() << (all.size() == 1 ? " mistake" : " mistakes") << " in the others";
   std::cout << "\n";
-  return report(all);
+  return status;
 }
 
 void set_up(CLI::App& app, int& status) {

@@ -1,0 +1,172 @@
+// The page around the geometry: title, narration, pseudo-code, formula, triangular scheme, knots.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "scene/panels.hpp"
+#include "scene/shipped_lessons.hpp"
+#include "scene/typeset.hpp"
+
+using namespace blossom;
+using namespace blossom::test;
+
+namespace {
+
+bool shows(const View& view, const RichText& text) {
+  return std::ranges::any_of(view.labels, [&](const Label& label) { return label.text == text; });
+}
+bool shows(const View& view, const std::string& text) {
+  return std::ranges::any_of(view.labels, [&](const Label& label) { return plain_text(label.text) == text; });
+}
+
+// The cells of the triangular scheme: level r > 0, and the control points that level 1 reads.
+std::set<ValueId> scheme_of(const StepSource& source) {
+  const auto& graph = *source.graph;
+  std::set<ValueId> all, read;
+  for (ValueId v = 0; v < graph.value_count(); ++v) {
+    const auto* spec = source.algorithm->spec(graph.value(v).name);
+    if (spec == nullptr || !spec->tableau || graph.value(v).name.arity != 2 || !graph.scope(v).empty()) continue;
+    all.insert(v);
+    for (const ValueId o : graph.operands(v)) read.insert(o);
+  }
+  std::erase_if(all, [&](ValueId v) { return graph.value(v).name.index[0] == 0 && !read.contains(v); });
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("Each page says its title, its step and its narration") {
+  for_each_step<double>([](const auto& lesson, std::uint32_t step) {
+    const Scene scene = lesson.page(step);
+    REQUIRE(scene.views.size() >= 3);
+    CHECK(scene.title == lesson.lesson.title);
+    CHECK(scene.description == lesson.narration(step));
+    const View& page = scene.views[0];
+    CHECK(shows(page, lesson.lesson.title));
+    CHECK(shows(page, "step " + std::to_string(step) + " / " + std::to_string(lesson.step_count() - 1)));
+    CHECK(shows(page, typeset_text(lesson.narration(step), lesson.source.algorithm_at(step))));
+  });
+}
+
+TEST_CASE("Every panel lies within the page, and what it paints within the panel") {
+  for_each_step<double>([](const auto& lesson, std::uint32_t step) {
+    for (const auto& [width, height] : {std::pair{640.0, 480.0}, std::pair{1120.0, 700.0}, std::pair{1920.0, 1080.0}}) {
+      INFO(width << " x " << height);
+      const Scene scene = lesson.page(step, width, height);
+      CHECK(scene.width == width);
+      CHECK(scene.height == height);
+      for (const View& view : scene.views) {
+        const bool inside = view.x >= 0 && view.y >= 0 && view.width > 0 && view.height > 0 &&
+                            view.x + view.width <= width && view.y + view.height <= height;
+        CHECK(inside);
+        if (view.camera.kind != Camera::Kind::page) continue;
+        for (const auto& polygon : view.polygons)
+          for (const auto& at : polygon.points)
+            if (at.x < -0.5 || at.y < -0.5 || at.x > view.width + 0.5 || at.y > view.height + 0.5)
+              FAIL_CHECK("a polygon reaches " << at.x << ", " << at.y << " of " << view.width << " x " << view.height);
+        for (const auto& label : view.labels)
+          if (label.anchor.x < 0 || label.anchor.y < 0 || label.anchor.x > view.width || label.anchor.y > view.height)
+            FAIL_CHECK("\"" << plain_text(label.text) << "\" stands at " << label.anchor.x << ", " << label.anchor.y);
+      }
+    }
+  });
+}
+
+TEST_CASE("The pseudo-code is all there, its current line marked") {
+  for_each_step<double>([](const auto& lesson, std::uint32_t step) {
+    View view;
+    const double height = add_pseudo_code(view, lesson.source, step, 0, 0, 400);
+    const auto& code = lesson.source.algorithm_at(step).pseudo_code;
+    const int line = lesson.source.line(step);
+    CHECK(height > 18 * static_cast<double>(code.size()));
+    int bold = 0;
+    for (const auto& label : view.labels)
+      for (const auto& run : label.text)
+        if (run.monospace && run.bold) {
+          ++bold;
+          CHECK(run.text == code[static_cast<std::size_t>(line) - 1]);
+        }
+    CHECK(bold == (line > 0 ? 1 : 0));
+    for (const auto text : code) CHECK(shows(view, std::string(text)));
+  });
+}
+
+TEST_CASE("The triangular scheme has the values made so far, and a blank for each to come") {
+  int schemes = 0;
+  for_each_step<double>([&](const auto& lesson, std::uint32_t step) {
+    const auto cells = scheme_of(lesson.source);
+    View view;
+    if (add_tableau(view, lesson.source, step, 0, 0, 2000, 2000) == 0) return;
+    ++schemes;
+    const auto& graph = *lesson.source.graph;
+    std::size_t made = 0;
+    for (const ValueId v : cells) {
+      const bool is_made = graph.value(v).step <= step;
+      made += is_made ? 1 : 0;
+      INFO(graph.name(v));
+      CHECK(shows(view, typeset_name(graph.value(v).name, *lesson.source.algorithm)) == is_made);
+    }
+    CHECK(std::ranges::count(view.polygons, Role::rule_line, &Polygon::role) == static_cast<std::ptrdiff_t>(cells.size() - made));
+    const ValueId main = graph.main_value(step);
+    CHECK(std::ranges::count(view.polygons, Role::current, &Polygon::role) == (cells.contains(main) && !graph.is_input(main) ? 1 : 0));
+  });
+  CHECK(schemes > 50);
+}
+
+TEST_CASE("A scheme that does not fit is left out, not squeezed") {
+  const auto lesson = prepare<double>("de-boor");
+  View view;
+  CHECK(add_tableau(view, lesson->source, 3, 0, 0, 60, 400) == 0);
+  CHECK(add_tableau(view, lesson->source, 3, 0, 0, 400, 40) == 0);
+  CHECK(view.labels.empty());
+  CHECK(view.polygons.empty());
+}
+
+TEST_CASE("The knot line marks each knot once, with its multiplicity") {
+  int lines = 0;
+  for (const auto& entry : shipped_lessons().lessons) {
+    const auto lesson = prepare<double>(entry);
+    INFO(lesson->name);
+    View view;
+    const double height = add_knot_line(view, lesson->source, 0, 0, 0, 700);
+    const auto& curves = lesson->source.curves;
+    if (curves.size() != 1 || curves[0].bezier) {
+      CHECK(height == 0);
+      CHECK(view.markers.empty());
+      continue;
+    }
+    ++lines;
+    CHECK(height > 0);
+    std::map<double, int> multiplicity;
+    for (const double u : curves[0].knots) ++multiplicity[u];
+    std::vector<double> places;
+    for (const auto& marker : view.markers)
+      if (marker.shape == Marker::Shape::triangle) places.push_back(marker.position.x);
+    REQUIRE(places.size() == multiplicity.size());
+    CHECK(std::ranges::is_sorted(places));
+    CHECK(places.front() >= 0);
+    CHECK(places.back() <= 700);
+    auto place = places.begin();
+    const double first = multiplicity.begin()->first, last = multiplicity.rbegin()->first;
+    for (const auto& [u, times] : multiplicity) {
+      CHECK(shows(view, std::to_string(times) + "(" + format_short(u, 3) + ")"));
+      CHECK((*place++ - places.front()) / (places.back() - places.front()) == Approx((u - first) / (last - first)).margin(1e-12));
+    }
+  }
+  CHECK(lines >= 4);
+}
+
+TEST_CASE("The formula panel gives what the step makes, with names, with numbers and with its blossom value") {
+  const auto lesson = prepare("de-boor");
+  const auto& trace = lesson->run.trace;
+  const ValueId v = *trace.find("P[1][2]");
+  View view;
+  CHECK(add_formula(view, lesson->source, trace.value(v).step, 0, 0, 600) > 0);
+  std::string all;
+  for (const auto& label : view.labels) all += plain_text(label.text) + "\n";
+  INFO(all);
+  CHECK(all.find("P2(1) = (0, 16)") != std::string::npos);  // the published value of this example
+  CHECK(all.find("(1 - 4/5) (0, 0) + 4/5 (0, 20)") != std::string::npos);
+  CHECK(all.find("b(0, 1/4, 2/5)") != std::string::npos);  // between b(0, 0, 1/4) and b(0, 1/4, 1/2)
+  CHECK(add_formula(view, lesson->source, 0, 0, 0, 600) == 0);  // the step that shows the inputs makes nothing
+}

@@ -1,0 +1,84 @@
+// Names and formulas as they stand in books.
+#include "scene/typeset.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "trace/rule.hpp"
+
+using namespace blossom;
+
+namespace {
+
+// Runs as text: *italic*, _{sub}, ^{super}.
+std::string marked(const RichText& runs) {
+  std::string text;
+  for (const TextRun& run : runs) {
+    if (run.level == TextRun::Level::sub) text += "_{" + run.text + "}";
+    else if (run.level == TextRun::Level::super) text += "^{" + run.text + "}";
+    else text += run.italic ? "*" + run.text + "*" : run.text;
+  }
+  return text;
+}
+
+const Algorithm& algorithm(std::string_view id) {
+  const auto* found = find_algorithm(id);
+  REQUIRE(found != nullptr);
+  return *found;
+}
+
+std::string set(std::string_view text, std::string_view id = "de_boor") { return marked(typeset_text(text, algorithm(id))); }
+std::string set_name(const Name& name, std::string_view id) { return marked(typeset_name(name, algorithm(id))); }
+
+}  // namespace
+
+TEST_CASE("A point of a triangular scheme has its index below and its level above") {
+  CHECK(set_name("P"_v(1, 4), "de_boor") == "*P*_{4}^{(1)}");
+  CHECK(set_name("P"_v(0, 4), "de_boor") == "*P*_{4}");  // level 0: the control point itself
+  CHECK(set_name("alpha"_v(2, 3), "de_boor") == "*α*_{3}^{(2)}");
+  CHECK(set_name("P"_v(2, 0), "de_casteljau") == "*P*_{0}^{(2)}");
+}
+
+TEST_CASE("Other names have all their indices below, or none") {
+  CHECK(set_name("k"_v(), "de_boor") == "*k*");
+  CHECK(set_name("C"_v(), "de_boor") == "*C*");
+  CHECK(set_name("U"_v(7), "de_boor") == "*U*_{7}");
+  CHECK(set_name("P"_v(2, 3), "skinning") == "*P*_{2,3}");  // row and column of a net: no level
+}
+
+TEST_CASE("Names in running text are set, the words around them are left alone") {
+  CHECK(set("Divide P[0][1] and P[0][2] at alpha[1][2] = 4/5.") == "Divide *P*_{1} and *P*_{2} at *α*_{2}^{(1)} = 4/5.");
+  CHECK(set("P[r][i] = (1-alpha[r][i]) P[r-1][i-1]") == "*P*_{i}^{(r)} = (1-*α*_{i}^{(r)}) *P*_{i-1}^{(r-1)}");
+  CHECK(set("u lies in [u_k, u_{k+1}), so k = 4") == "*u* lies in [*u*_{k}, *u*_{k+1}), so *k* = 4");
+  CHECK(set("(u_{i+p-r+1} - u_i)") == "(*u*_{i+p-r+1} - *u*_{i})");
+  CHECK(set("P[1][*] and P[0][1..4]") == "*P*_{*}^{(1)} and *P*_{1..4}");
+  CHECK(set("the end is P[3][4]. Then go on.") == "the end is *P*_{4}^{(3)}. Then go on.");
+}
+
+TEST_CASE("Words stay words") {
+  for (const std::string words :
+       {"A curve of degree three, and a knot vector.", "Let's see the curve's end; it isn't a Bézier curve.",
+        "upper, kept, Cut, spans", "[0, 1), (2, 3)", "an unclosed [bracket", "", "café Ünïcödé",
+        "no index: word[] and word["}) {
+    INFO(words);
+    CHECK(set(words).find('*') == std::string::npos);
+    CHECK(set(words).find('^') == std::string::npos);
+  }
+  CHECK(set("Let's see the curve's end; it isn't Bézier.") == "Let's see the curve's end; it isn't Bézier.");
+  CHECK(set("an unclosed [bracket and u_{").find("an unclosed [bracket and ") == 0);
+}
+
+TEST_CASE("The scope of a name is left out: the picture shows which part is meant") {
+  CHECK(set("raise[1].Q[2] is made", "skinning") == "*Q*_{2} is made");
+  CHECK(set("elevate[1].P[0][2]", "degree_elevation") == set("P[0][2]", "degree_elevation"));
+}
+
+TEST_CASE("Text that goes in comes out, whatever it is") {
+  for (const std::string text : {"u_", "u_{", "u_}", "P[", "P[]", "P[1", "P[1]]", "P[1][2][3]", "alpha", "\xff\xfe u", "_u_"}) {
+    INFO(text);
+    std::string letters;
+    for (const TextRun& run : typeset_text(text, algorithm("de_boor"))) letters += run.text;
+    const std::string expected = text == "alpha" ? "α" : text;
+    for (const char c : expected)
+      if (std::string("[]_{}").find(c) == std::string::npos) CHECK(letters.find(c) != std::string::npos);
+  }
+}
