@@ -1,5 +1,7 @@
 #include "algorithms/run.hpp"
 
+#include <cmath>
+
 #include "geometry/document.hpp"
 #include "kernel/error.hpp"
 
@@ -111,6 +113,30 @@ void describe(const Inputs<S>& inputs, int& dimension, bool& rational) {
   }
 }
 
+Diagnostics overflow() {
+  return {Diagnostic{"", 0, 0, "inputs",
+                     "on the way numbers become too large for double precision (above 1.8e308): compute exactly, or scale the input down"}};
+}
+
+bool is_finite(double x) { return std::isfinite(x); }
+bool is_finite(const Exact&) { return true; }
+// Its coordinates, too, where it is no point at infinity.
+template <Scalar S>
+bool is_finite(const HPoint<S>& P) {
+  if constexpr (std::same_as<S, double>) {
+    const double w = P.w == 0 ? 1 : P.w;
+    return is_finite(P.x / w) && is_finite(P.y / w) && is_finite(P.z / w) && is_finite(P.w);
+  }
+  return true;
+}
+template <Scalar S>
+bool is_finite(const Outcome<S>& outcome) {
+  if (const auto* P = std::get_if<HPoint<S>>(&outcome)) return is_finite(*P);
+  const auto all = [](const auto& points) { return std::ranges::all_of(points, [](const HPoint<S>& P) { return is_finite(P); }); };
+  if (const auto* curve = std::get_if<Curve<S>>(&outcome)) return all(curve->points);
+  return all(std::get<Surface<S>>(outcome).points);
+}
+
 }  // namespace
 
 template <Scalar S>
@@ -125,6 +151,14 @@ Checked<Run<S>> record(const Algorithm& algorithm, const Inputs<Exact>& inputs) 
     return as_diagnostics(error);
   }
   run.trace = std::move(recorder).take();
+  if (!is_finite(run.outcome)) return overflow();
+  for (ValueId v = 0; v < run.trace.value_count(); ++v) {
+    const auto numbers = run.trace.numbers(v);
+    const bool finite = run.trace.value(v).kind == ValueKind::point
+                            ? is_finite(HPoint<S>(numbers[0], numbers[1], numbers[2], numbers[3]))
+                            : std::ranges::all_of(numbers, [](const S& x) { return is_finite(x); });
+    if (!finite) return overflow();
+  }
   describe(run.inputs, run.trace.dimension, run.trace.rational);
   return run;
 }
@@ -132,7 +166,9 @@ Checked<Run<S>> record(const Algorithm& algorithm, const Inputs<Exact>& inputs) 
 template <Scalar S>
 Checked<Outcome<S>> run_plain(const Algorithm& algorithm, const Inputs<Exact>& inputs) {
   try {
-    return algorithm.runner<S>().plain(convert<S>(inputs));
+    auto outcome = algorithm.runner<S>().plain(convert<S>(inputs));
+    if (!is_finite(outcome)) return overflow();
+    return outcome;
   } catch (const KernelError& error) {
     return as_diagnostics(error);
   }

@@ -17,7 +17,8 @@ struct Run {
   Outcome<S> outcome;
 };
 
-// Diagnostics when the inputs turn out impossible on the way (the weight at u is 0).
+// Diagnostics when the inputs turn out impossible on the way (the weight at u is 0, a number overflows): what comes out
+// of a run is finite.
 template <Scalar S>
 Checked<Run<S>> record(const Algorithm&, const Inputs<Exact>&);
 template <Scalar S>

@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 #include <charconv>
-#include <cmath>
 
 #include "geometry/document.hpp"
 
@@ -68,10 +67,7 @@ class Writer {
   }
   void number(double x) {
     char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, x).ptr;
-    if (!std::isfinite(x)) out_ += '"';
-    out_.append(digits, end);
-    if (!std::isfinite(x)) out_ += '"';
+    out_.append(digits, std::to_chars(digits, digits + sizeof digits, x).ptr);
   }
   void number(const Exact& x) {
     out_ += '"';

@@ -14,7 +14,7 @@
 // The value of a point is its 2 or 3 coordinates, with its weight in a rational trace; where the weight is 0, value is
 // the direction (wx, wy, wz). "homogeneous" (wx, wy, wz, w) is added where value times weight would not give the same bits
 // again. A vector shows its four numbers. "approximate" is true, or lists the numbers (of the four, of a point) that an
-// exact trace knows only in double precision. Not-a-number and infinities, which JSON lacks, are strings.
+// exact trace knows only in double precision.
 
 #include <variant>
 

@@ -1,5 +1,4 @@
 #include <charconv>
-#include <cmath>
 #include <limits>
 
 #include "algorithms/trace_json.hpp"
@@ -46,9 +45,7 @@ template <Scalar S>
 std::optional<S> read_scalar(const Cursor& at) {
   if constexpr (std::same_as<S, double>) {
     // The text itself: an exact number has no negative zero.
-    const std::string& text = at.json().text;
-    const bool named = at.is(Json::Kind::string) && (text == "inf" || text == "-inf" || text == "nan" || text == "-nan");
-    if (at.is(Json::Kind::number) || named) {
+    if (const std::string& text = at.json().text; at.is(Json::Kind::number)) {
       double x = 0;
       const auto read = std::from_chars(text.data(), text.data() + text.size(), x);
       if (read.ec == std::errc() && read.ptr == text.data() + text.size()) return x;
@@ -82,9 +79,6 @@ HPoint<S> homogeneous(const std::vector<S>& xyz, const S& w, bool rational) {
   const auto coordinate = [&](std::size_t i) { return i < xyz.size() ? (scaled ? xyz[i] * w : xyz[i]) : S(0); };
   return {coordinate(0), coordinate(1), coordinate(2), w};
 }
-
-bool equal(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
-bool equal(const Exact& a, const Exact& b) { return a == b; }
 
 // A made curve or surface may be more than geometry files allow (a weight may come out negative): it is only shown.
 template <Scalar S>
@@ -409,9 +403,9 @@ class TraceReader {
       }
       // The value shown must be what the four numbers say.
       const bool divide = trace_.rational && !((*four)[3] == S(0));
-      bool same = !trace_.rational || equal((*four)[3], *w);
+      bool same = !trace_.rational || (*four)[3] == *w;
       for (std::size_t i = 0; i < dimension; ++i)
-        same = same && equal(divide ? S((*four)[i] / (*four)[3]) : (*four)[i], (*xyz)[i]);
+        same = same && (divide ? S((*four)[i] / (*four)[3]) : (*four)[i]) == (*xyz)[i];
       // What is known in double precision only is not divided back exactly.
       if (!same && !(std::same_as<S, Exact> && at.optional("approximate"))) four_at->error("must be the homogeneous form of value and weight");
       return four;

@@ -60,7 +60,7 @@ Checked<Subject> load_subject(const SubjectOptions& options) {
     if (subject.algorithm == nullptr) {
       std::string message = "there is no algorithm \"" + options.algorithm + "\"";
       if (const auto near = did_you_mean(options.algorithm, algorithm_ids())) message += "; did you mean \"" + *near + "\"?";
-      return Diagnostics{{"", 0, 0, "--algorithm", message}};
+      throw CLI::ValidationError("--algorithm", message);
     }
     const auto document = JsonDocument::load(options.inputs);
     if (!document) return document.diagnostics;

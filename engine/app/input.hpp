@@ -31,6 +31,7 @@ struct Subject {
   }
 };
 // Throws CLI::RequiredError when the options name nothing.
+// What is wrong in a file is a diagnostic; options that name nothing throw a CLI::ParseError, which is wrong usage.
 Checked<Subject> load_subject(const SubjectOptions&);
 
 // The folder of a kind of files ("lessons", "exercises"): in the working folder or the nearest one around the program.

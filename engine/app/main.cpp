@@ -16,9 +16,10 @@ int main(int argc, char** argv) {
       "blossom");
   app.require_subcommand(1);
   app.set_version_flag("--version", BLOSSOM_VERSION);
-  app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
-    return "blossom: " + std::string(error.what()) + "\nTry `" + (failed->get_parent() != nullptr ? "blossom " : "") +
-           failed->get_name() + " --help`.\n";
+  app.failure_message([](const CLI::App* root, const CLI::Error& error) {
+    const auto given = root->get_subcommands();
+    return "blossom: " + std::string(error.what()) + "\nTry `blossom " + (given.empty() ? "" : given[0]->get_name() + " ") +
+           "--help`.\n";
   });
 
   int status = blossom::done;
@@ -44,13 +45,15 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? blossom::done : blossom::wrong_usage;
+    status = app.exit(error) == 0 ? blossom::done : blossom::wrong_usage;
   } catch (const std::exception& error) {  // out of memory, out of threads: the machine, not the input
     std::cerr << "blossom: " << error.what() << "\n";
     return blossom::machine_at_fault;
   }
   std::cout.flush();
-  if (!std::cout) return blossom::machine_at_fault;
+  if (!std::cout) {
+    std::cerr << "blossom: the output cannot be written\n";
+    return blossom::machine_at_fault;
+  }
   return status;
 }

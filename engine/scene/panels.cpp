@@ -50,6 +50,15 @@ double add_pseudo_code(View& view, const StepSource& source, std::uint32_t step,
   std::size_t longest = 1;
   for (const auto line : algorithm.pseudo_code) longest = std::max(longest, line.size());
   const double size = std::min(0.86, (width - 26) / (static_cast<double>(longest) * 14 * 0.69));  // of a theme with larger text, too
+  if (size < 0.58) {  // too small to read: only the line that counts, wrapped
+    if (current == 0) return 0;
+    const std::string_view code = algorithm.pseudo_code[static_cast<std::size_t>(current) - 1];
+    const std::string line(code.substr(code.find_first_not_of(' ')));
+    const double height = 18 * lines_of(line.size(), width, 14 * 0.78) + 4;
+    fill(view, x - 6, at, width + 12, height, Role::current, 0.18);
+    text(view, x, at + 14, {{line, TextRun::Level::base, false, true, true}}, Role::text, 0.72).max_width = width;
+    return at - y + height + 12;
+  }
   for (std::size_t i = 0; i < algorithm.pseudo_code.size(); ++i) {
     const bool here = static_cast<int>(i) + 1 == current;
     if (here) {

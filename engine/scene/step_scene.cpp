@@ -398,7 +398,9 @@ Scene StepScenes::page(std::uint32_t step, const std::string& narration, const P
     page.labels.push_back(std::move(label));
     return page.labels.back();
   };
-  text(margin, 34, {{options.title, TextRun::Level::base, false, true}}, Role::text_strong, 1.35);
+  const double room_for_title = options.width - 2 * margin - 130;  // beside the step's number
+  const double title_size = std::min(1.35, room_for_title / (static_cast<double>(options.title.size()) * 14 * 0.7));
+  text(margin, 34, {{options.title, TextRun::Level::base, false, true}}, Role::text_strong, title_size);
   text(options.width - margin, 34, {{"step " + std::to_string(step) + " / " + std::to_string(graph.step_count() - 1)}}, Role::text_quiet, 1)
       .placement = Label::Placement::right;
 

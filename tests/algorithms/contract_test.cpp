@@ -193,3 +193,15 @@ TEST_CASE("every rule that is used stands in the table of its algorithm", "[cont
     }
   });
 }
+
+TEST_CASE("a run whose numbers overflow is refused in double, and exact in exact arithmetic", "[contract]") {
+  const Algorithm& algorithm = *find_algorithm("degree_elevation");
+  const auto document = JsonDocument::parse(
+      "inputs", R"({"curve": {"degree": 2, "knots": [0,1,10,10.1,20,21], "points": [[1.7e308,0],[-1.7e308,0],[1.7e308,0]]}})");
+  Diagnostics diagnostics;
+  const auto inputs = read_inputs(algorithm, Cursor(*document, diagnostics));  // unclamped: new points are extrapolated
+  REQUIRE(inputs);
+  CHECK(to_string(record<double>(algorithm, *inputs).diagnostics).find("too large for double precision") != std::string::npos);
+  CHECK(to_string(run_plain<double>(algorithm, *inputs).diagnostics).find("too large for double precision") != std::string::npos);
+  CHECK(record<Exact>(algorithm, *inputs));
+}

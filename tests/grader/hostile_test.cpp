@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "grader/helpers.hpp"
 
@@ -145,6 +146,36 @@ TEST_CASE("long numbers are judged, and carried on in double precision") {
   const Grade grade = grade_answers(*grader, answers + R"("C": [1, 2]})");
   CHECK(verdict(grade, "C") == "wrong");
   CHECK(grade.reason.empty());
+}
+
+TEST_CASE("random answers never break a replay, and earn no more than there is") {
+  const unsigned seed = 4711;
+  INFO("seed " << seed);
+  std::mt19937 random(seed);
+  const std::string huge = "\"" + std::string(200, '9') + "/" + std::string(190, '7') + "\"";
+  const std::vector<std::string> numbers{
+      "0",       "1",         "-1", "0.5",         "\"1/3\"",  "1e300", "-1e300", "1e-300", huge,   "12345.678901",
+      "\"2/5\"", "\"1e308\"", "-0", "\"-1e-400\"", "\"-1/7\"", "1e-15", "3",      "2",      "null", "\"x\""};
+  const auto number = [&] { return numbers[random() % numbers.size()]; };
+  for (const Standard& s : standards) {
+    const auto grader = grader_of(exercise_text(s.algorithm, s.inputs, s.ask, R"(, "tolerance": {"decimals": 6})"));
+    const Exercise& exercise = grader->exercise();
+    for (int n = 0; n < 60; ++n) {
+      std::map<std::string, std::string> other;
+      for (const Part& asked : exercise.parts) {
+        if (random() % 3 == 0) continue;
+        std::string text;
+        const std::size_t count = asked.size() != 0 ? asked.size() : asked.right.size() + random() % 2;
+        for (std::size_t i = 0; i < count; ++i) text += (i > 0 ? ", " : "") + number();
+        other[asked.name] = asked.is_single() ? text : "[" + text + "]";
+      }
+      const Grade grade = grade_answers(*grader, all_answers(exercise, other));
+      INFO(s.algorithm << " " << n);
+      CHECK(grade.reason.empty());
+      CHECK(grade.score() >= 0);
+      CHECK(grade.score() <= 1);
+    }
+  }
 }
 
 TEST_CASE("paths that are no files are invalid submissions") {

@@ -149,8 +149,11 @@ int run(const Options& options) {
   if (!parse_size(options.size, page.width, page.height))
     mistakes.push_back({"", 0, 0, "--size", "must be WIDTHxHEIGHT from 480x360 to 8192x8192, not " + excerpt(options.size)});
   const auto theme = find_theme(options.theme);
-  mistakes.insert(mistakes.end(), theme.diagnostics.begin(), theme.diagnostics.end());
-  if (!mistakes.empty()) return report(mistakes);
+  for (const auto& mistake : theme.diagnostics) mistakes.push_back({"", 0, 0, "--theme", mistake.message});
+  if (!mistakes.empty()) {
+    report(mistakes);
+    return wrong_usage;
+  }
   const auto subject = load_subject(options.subject);
   if (!subject) return report(subject.diagnostics);
   return options.exact ? draw<Exact>(*subject, options, page, **theme) : draw<double>(*subject, options, page, **theme);
@@ -159,7 +162,7 @@ int run(const Options& options) {
 void set_up(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
   add_subject_options(app, options->subject);
-  app.add_option("--step", options->step, "Only this step (from 0; by default the last one)")->check(CLI::NonNegativeNumber);
+  app.add_option("--step", options->step, "Only this step (from 0; by default the last one)")->check(CLI::Range(0, 1'000'000'000));
   app.add_flag("--all", options->all, "Every step, one file each");
   app.add_option("--contact-sheet", options->contact_sheet, "All steps small in one PNG file");
   app.add_flag("--svg", options->svg, "SVG files instead of PNG");
