@@ -31,7 +31,8 @@ struct Typed {
 };
 Typed read_typed(const Part&, const Json&);
 
-// Whether it is right, in the fast way: nothing is allocated. `different` also stands for a wrong shape.
+// Whether it is right, in the fast way: nothing is allocated (but for a set, which is sorted). `different` also stands
+// for a wrong shape.
 enum class Match : std::uint8_t { right, different };
 Match match(const Part&, const Json&);
 

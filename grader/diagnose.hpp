@@ -34,11 +34,11 @@ bool agrees(const Part&, NumbersView<Exact> traced, const Numbers<Exact>& typed,
             const std::vector<double>& widening = {});
 
 // The same on somebody's own values: tries every misconception on the parts that are still open, in one or a few
-// replays each, and calls found(part, misconception).
+// replays each.
 class OwnMistakes {
  public:
   OwnMistakes(const Exercise& exercise, const ReplayPlan& plan) : exercise_(&exercise), plan_(&plan) {}
-  // `typed` of a part is empty where there is nothing to explain.
+  // By part: the misconception, or nullptr. `typed` of a part is empty where there is nothing to explain.
   std::vector<const Misconception*> find(const std::vector<Given>& given,
                                          const std::vector<Numbers<Exact>>& typed) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "scene/typeset.hpp"
 
@@ -51,7 +52,7 @@ double add_pseudo_code(View& view, const StepSource& source, std::uint32_t step,
   for (const auto line : algorithm.pseudo_code) longest = std::max(longest, line.size());
   const double size = std::min(0.86, (width - 26) / (static_cast<double>(longest) * 14 * 0.69));  // of a theme with larger text, too
   if (size < 0.58) {  // too small to read: only the line that counts, wrapped
-    if (current == 0) return 0;
+    if (current == 0) return at - y;
     const std::string_view code = algorithm.pseudo_code[static_cast<std::size_t>(current) - 1];
     const std::string line(code.substr(code.find_first_not_of(' ')));
     const double height = 18 * lines_of(line.size(), width, 14 * 0.78) + 4;
@@ -74,7 +75,8 @@ double add_pseudo_code(View& view, const StepSource& source, std::uint32_t step,
   return at - y + 12;
 }
 
-double add_formula(View& view, const StepSource& source, std::uint32_t step, double x, double y, double width) {
+double add_formula(View& view, const StepSource& source, std::uint32_t step, double x, double y, double width,
+                   double height) {
   const ValueId v = source.graph->main_value(step);
   if (v == absent || source.graph->is_input(v)) return 0;
   const Algorithm& algorithm = source.algorithm_at(step);
@@ -95,14 +97,18 @@ double add_formula(View& view, const StepSource& source, std::uint32_t step, dou
   at += 21 * lines + 4;
 
   // One label, so that its lines cannot run into each other however they wrap.
-  std::string from = "= " + shortened(formula);
-  if (numbers != formula && numbers != source.value_text(v)) from += "\n= " + shortened(numbers);
-  if (const std::string polar = source.polar(v); !polar.empty()) from += "\nblossom value " + polar;
-  text(view, x, at + 14, typeset_text(from, algorithm), Role::text, 0.9).max_width = width;
-  for (std::size_t i = 0, end = 0; end != std::string::npos; i = end + 1) {
-    end = from.find('\n', i);
-    at += 19 * lines_of((end == std::string::npos ? from.size() : end) - i, width, 14 * 0.9);
+  std::vector<std::string> parts{"= " + shortened(formula)};
+  if (numbers != formula && numbers != source.value_text(v)) parts.push_back("= " + shortened(numbers));
+  if (const std::string polar = source.polar(v); !polar.empty()) parts.push_back("blossom value " + polar);
+  std::string from;
+  const double from_at = at;
+  for (const std::string& part : parts) {
+    const double needed = 19 * lines_of(part.size(), width, 14 * 0.9);
+    if (at + needed > y + height) break;
+    from += (from.empty() ? "" : "\n") + part;
+    at += needed;
   }
+  if (!from.empty()) text(view, x, from_at + 14, typeset_text(from, algorithm), Role::text, 0.9).max_width = width;
   return at - y + 12;
 }
 

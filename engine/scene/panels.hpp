@@ -9,8 +9,9 @@ namespace blossom {
 
 // The pseudo-code of the algorithm at this step, its current line marked.
 double add_pseudo_code(View&, const StepSource&, std::uint32_t step, double x, double y, double width);
-// Name, formula, formula with numbers, value and polar label of what the step makes.
-double add_formula(View&, const StepSource&, std::uint32_t step, double x, double y, double width);
+// Name, formula, formula with numbers, value and polar label of what the step makes. What has no room within the height
+// is left out, the last of it first.
+double add_formula(View&, const StepSource&, std::uint32_t step, double x, double y, double width, double height);
 // The triangular scheme: one column per level, cells filled so far, the step's operands and result marked. Nothing, and
 // height 0, for an algorithm without one, or when it has more cells than the width can show.
 double add_tableau(View&, const StepSource&, std::uint32_t step, double x, double y, double width, double height);

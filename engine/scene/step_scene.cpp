@@ -166,6 +166,7 @@ void add_grid(View& view, double width, double height) {
   const double half_h = camera.height / 2;
   const double half_w = half_h * width / height;
   const double step = nice_step(2 * half_w, 10);
+  const double unit = camera.height / height;  // of the page, in the world
   const auto tick = [&](double value, bool horizontal) {
     Label label;
     const double edge = 0.02 * camera.height;
@@ -181,12 +182,12 @@ void add_grid(View& view, double width, double height) {
   for (double x = std::ceil((camera.centre.x - half_w) / step) * step; x <= camera.centre.x + half_w; x += step) {
     const bool axis = std::abs(x) < step / 2;
     view.polylines.push_back(line({{x, camera.centre.y - half_h, 0}, {x, camera.centre.y + half_h, 0}}, axis ? Role::axis : Role::grid));
-    tick(x, false);
+    if (x + 36 * unit < camera.centre.x + half_w) tick(x, false);
   }
   for (double y = std::ceil((camera.centre.y - half_h) / step) * step; y <= camera.centre.y + half_h; y += step) {
     const bool axis = std::abs(y) < step / 2;
     view.polylines.push_back(line({{camera.centre.x - half_w, y, 0}, {camera.centre.x + half_w, y, 0}}, axis ? Role::axis : Role::grid));
-    tick(y, true);
+    if (y + 16 * unit < camera.centre.y + half_h) tick(y, true);
   }
 }
 
@@ -416,7 +417,14 @@ Scene StepScenes::page(std::uint32_t step, const std::string& narration, const P
     text(margin, y - 2, {{phases}}, Role::text_quiet, 0.85);
     y += 20;
   }
-  text(margin, y + 4, typeset_text(narration, source.algorithm_at(step)), Role::text, 1.08).max_width = options.width - 2 * margin;
+  // A long one on a small page is set smaller, so that its last line is still on it.
+  const double narration_width = options.width - 2 * margin;
+  const auto narration_height = [&](double size) {
+    return std::ceil(static_cast<double>(narration.size()) * 14 * size * 0.57 / narration_width) * 1.4 * 14 * size;
+  };
+  double narration_size = 1.08;
+  while (narration_size > 0.7 && y - 10 + narration_height(narration_size) > options.height) narration_size -= 0.04;
+  text(margin, y + 4, typeset_text(narration, source.algorithm_at(step)), Role::text, narration_size).max_width = narration_width;
 
   // Side panels, from above; the knots below the picture.
   View side_view;
@@ -425,7 +433,7 @@ Scene StepScenes::page(std::uint32_t step, const std::string& narration, const P
   side_view.width = side;
   side_view.height = main_height;
   double at = add_pseudo_code(side_view, source, step, 6, 0, side - 12);
-  const double formula = add_formula(side_view, source, step, 6, at, side - 12);
+  const double formula = add_formula(side_view, source, step, 6, at, side - 12, main_height - at);
   // The scheme stands at the bottom, where it does not move from step to step.
   const double room = main_height - at - 150;
   if (room > 90) {

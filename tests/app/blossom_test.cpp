@@ -82,7 +82,10 @@ TEST_CASE("A file at fault has status 1 and its name in the message") {
 }
 
 TEST_CASE("Output that cannot be written has status 3") {
-  if (access("/dev/full", W_OK) != 0) return WARN("not tested, there is no /dev/full here");
+  if (access("/dev/full", W_OK) != 0) {
+    WARN("not tested, there is no /dev/full here");
+    return;
+  }
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"list"}, {"trace", "01-de-casteljau"}, {"lint", "lessons"}, {"--help"}}) {
     const auto ended = blossom::test::blossom(arguments, {.output_to = "/dev/full"});

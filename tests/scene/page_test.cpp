@@ -161,12 +161,20 @@ TEST_CASE("The formula panel gives what the step makes, with names, with numbers
   const auto& trace = lesson->run.trace;
   const ValueId v = *trace.find("P[1][2]");
   View view;
-  CHECK(add_formula(view, lesson->source, trace.value(v).step, 0, 0, 600) > 0);
+  CHECK(add_formula(view, lesson->source, trace.value(v).step, 0, 0, 600, 400) > 0);
   std::string all;
   for (const auto& label : view.labels) all += plain_text(label.text) + "\n";
   INFO(all);
   CHECK(all.find("P2(1) = (0, 16)") != std::string::npos);  // the published value of this example
   CHECK(all.find("(1 - 4/5) (0, 0) + 4/5 (0, 20)") != std::string::npos);
   CHECK(all.find("b(0, 1/4, 2/5)") != std::string::npos);  // between b(0, 0, 1/4) and b(0, 1/4, 1/2)
-  CHECK(add_formula(view, lesson->source, 0, 0, 0, 600) == 0);  // the step that shows the inputs makes nothing
+  CHECK(add_formula(view, lesson->source, 0, 0, 0, 600, 400) == 0);  // the step that shows the inputs makes nothing
+
+  // With less room the last of it is left out, and nothing reaches beyond.
+  View small;
+  CHECK(add_formula(small, lesson->source, trace.value(v).step, 0, 0, 600, 75) <= 75 + 12);
+  all.clear();
+  for (const auto& label : small.labels) all += plain_text(label.text) + "\n";
+  CHECK(all.find("P2(1) = (0, 16)") != std::string::npos);
+  CHECK(all.find("b(0, 1/4, 2/5)") == std::string::npos);
 }
