@@ -56,7 +56,8 @@ class Writer {
     out_.append(digits, std::to_chars(digits, digits + sizeof digits, n).ptr);
   }
   void quoted(std::string_view t) {
-    const bool plain = std::all_of(t.begin(), t.end(), [](char c) { return c >= ' ' && c < 127 && c != '"' && c != '\\'; });
+    const bool plain =
+        std::all_of(t.begin(), t.end(), [](char c) { return c >= ' ' && c < 127 && c != '"' && c != '\\'; });
     if (!plain) {
       out_ += json_quote(t);
       return;
@@ -172,10 +173,16 @@ class Writer {
     text("\", \"value\": ");
     switch (record.kind) {
       case ValueKind::integer:
-      case ValueKind::scalar: number(all[0]); break;
-      case ValueKind::point: point(all); break;
+      case ValueKind::scalar:
+        number(all[0]);
+        break;
+      case ValueKind::point:
+        point(all);
+        break;
       case ValueKind::vector:
-      case ValueKind::list: numbers(all); break;
+      case ValueKind::list:
+        numbers(all);
+        break;
     }
     if constexpr (std::same_as<S, Exact>) approximate(all);
     text(", \"step\": ");
@@ -212,16 +219,19 @@ class Writer {
       number(w);
     }
     // What is known in double precision only is read as decimals and multiplied exactly: not the same product.
-    const bool rounded = std::same_as<S, Exact> && divide && std::any_of(P.begin(), P.end(), [](const S& x) { return is_approximate(x); });
+    const bool rounded = std::same_as<S, Exact> && divide &&
+                         std::any_of(P.begin(), P.end(), [](const S& x) { return is_approximate(x); });
     bool same = !rounded && (trace_.rational || same_number(w, S(1)));
-    for (std::size_t i = 0; i < 3; ++i) same = same && same_number(i < dimension ? (divide ? shown[i] * w : shown[i]) : S(0), P[i]);
+    for (std::size_t i = 0; i < 3; ++i)
+      same = same && same_number(i < dimension ? (divide ? shown[i] * w : shown[i]) : S(0), P[i]);
     if (same) return;
     text(", \"homogeneous\": ");
     numbers(P);
   }
 
   void approximate(NumbersView<S> all) {
-    const auto count = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const S& x) { return is_approximate(x); }));
+    const auto count =
+        static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const S& x) { return is_approximate(x); }));
     if (count == 0) return;
     text(", \"approximate\": ");
     if (count == all.size()) {

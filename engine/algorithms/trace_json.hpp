@@ -7,14 +7,15 @@
 //   phases   [{"id", "index"?, "scoped"?, "algorithm"?, "parent"?, "first_step", "last_step"}]   a parent stands before
 //            its children and is told by its place in this list; the first step only introduces the phase
 //   steps    [{"index", "kind", "line", "phase": [labels from the outermost], "text"}]
-//   values   [{"name", "kind", "value", "weight"?, "homogeneous"?, "approximate"?, "step", "retired"?, "rule", "from", "polar"?}]
+//   values   [{"name", "kind", "value", "weight"?, "homogeneous"?, "approximate"?, "step", "retired"?, "rule", "from",
+//   "polar"?}]
 //            kind: integer, scalar, point, vector, list; rule: "input" for what is given; from: names of earlier values
 //   result   {"point": [...]} | {"curve": {...}} | {"surface": {...}}, as in geometry files
 //
 // The value of a point is its 2 or 3 coordinates, with its weight in a rational trace; where the weight is 0, value is
-// the direction (wx, wy, wz). "homogeneous" (wx, wy, wz, w) is added where value times weight would not give the same bits
-// again. A vector shows its four numbers. "approximate" is true, or lists the numbers (of the four, of a point) that an
-// exact trace knows only in double precision.
+// the direction (wx, wy, wz). "homogeneous" (wx, wy, wz, w) is added where value times weight would not give the same
+// bits again. A vector shows its four numbers. "approximate" is true, or lists the numbers (of the four, of a point)
+// that an exact trace knows only in double precision.
 
 #include <variant>
 

@@ -1,180 +1,22 @@
 #include <charconv>
 #include <limits>
 
-#include "algorithms/trace_json.hpp"
+#include "algorithms/trace_json_parts.hpp"
 
 namespace blossom {
+
+using stored::homogeneous, stored::parse_fraction, stored::read_scalar, stored::read_scalars, stored::ResultReader;
 
 namespace {
 
 inline constexpr int max_phase_depth = 32;
 inline constexpr int max_step = std::numeric_limits<int>::max();
 
-// Exact::parse refuses what is longer than anybody types; the numbers of a trace can be. At most 20,000 digits, in parts.
-std::optional<Exact> parse_long_integer(std::string_view text) {
-  constexpr std::size_t part = 300;
-  if (text.empty() || text.size() > 20'000) return std::nullopt;
-  Exact sum(0);
-  for (std::size_t at = 0; at < text.size(); at += part) {
-    const auto digits = text.substr(at, part);
-    if (digits.find_first_not_of("0123456789") != std::string_view::npos) return std::nullopt;
-    const auto scale = Exact::parse("1e" + std::to_string(digits.size()));
-    sum = sum * *scale + *Exact::parse(digits);
-  }
-  return sum;
-}
-
-std::optional<Exact> parse_fraction(std::string_view text) {
-  if (text.size() <= 400) return Exact::parse(text);
-  const bool negative = text.starts_with('-');
-  if (negative) text.remove_prefix(1);
-  const std::size_t slash = text.find('/');
-  const auto above = parse_long_integer(text.substr(0, slash));
-  const auto below = slash == std::string_view::npos ? Exact(1) : parse_long_integer(text.substr(slash + 1));
-  if (!above || !below || *below == Exact(0)) return std::nullopt;
-  return negative ? -(*above / *below) : *above / *below;
-}
-
 bool is_word(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) {
     return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_';
   });
 }
-
-template <Scalar S>
-std::optional<S> read_scalar(const Cursor& at) {
-  if constexpr (std::same_as<S, double>) {
-    // The text itself: an exact number has no negative zero.
-    if (const std::string& text = at.json().text; at.is(Json::Kind::number)) {
-      double x = 0;
-      const auto read = std::from_chars(text.data(), text.data() + text.size(), x);
-      if (read.ec == std::errc() && read.ptr == text.data() + text.size()) return x;
-    }
-    const auto x = at.number();
-    return x ? std::optional(x->to_double()) : std::nullopt;
-  } else {
-    if (at.is(Json::Kind::string) && at.json().text.size() > 400)
-      if (auto x = parse_fraction(at.json().text)) return x;
-    return at.number();
-  }
-}
-
-template <Scalar S>
-std::optional<std::vector<S>> read_scalars(const Cursor& at, std::size_t at_least, std::size_t at_most) {
-  if (!at.expect_array(at_least, at_most)) return std::nullopt;
-  std::vector<S> numbers;
-  bool all = true;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    if (auto x = read_scalar<S>(at[i]))
-      numbers.push_back(std::move(*x));
-    else
-      all = false;
-  }
-  return all ? std::optional(std::move(numbers)) : std::nullopt;
-}
-
-template <Scalar S>
-HPoint<S> homogeneous(const std::vector<S>& xyz, const S& w, bool rational) {
-  const bool scaled = rational && !(w == S(0));
-  const auto coordinate = [&](std::size_t i) { return i < xyz.size() ? (scaled ? xyz[i] * w : xyz[i]) : S(0); };
-  return {coordinate(0), coordinate(1), coordinate(2), w};
-}
-
-// A made curve or surface may be more than geometry files allow (a weight may come out negative): it is only shown.
-template <Scalar S>
-class ResultReader {
- public:
-  explicit ResultReader(int dimension) : dimension_(static_cast<std::size_t>(dimension)) {}
-
-  std::optional<Outcome<S>> read(const Cursor& at) const {
-    if (!at.expect_object({"point", "curve", "surface"})) return std::nullopt;
-    if (at.json().items.size() != 1) {
-      at.error("must have one of \"point\", \"curve\" and \"surface\"");
-      return std::nullopt;
-    }
-    if (const auto point = at.optional("point")) {
-      const auto xyz = read_scalars<S>(*point, dimension_, dimension_);
-      if (!xyz) return std::nullopt;
-      return homogeneous(*xyz, S(1), false);
-    }
-    if (const auto curve = at.optional("curve")) return read_curve_result(*curve);
-    if (const auto surface = at.optional("surface")) return read_surface_result(*surface);
-    return std::nullopt;
-  }
-
- private:
-  std::optional<std::vector<S>> knots(const std::optional<Cursor>& at, std::optional<int> degree, std::size_t points) const {
-    if (!degree) return std::nullopt;
-    const std::size_t count = points + static_cast<std::size_t>(*degree) + 1;
-    if (at) return read_scalars<S>(*at, count, count);
-    return bezier_knots<S>(*degree);
-  }
-  std::optional<std::vector<HPoint<S>>> points(const Cursor& at, const std::optional<Cursor>& weights, std::size_t dimension) const {
-    if (!at.expect_array(2)) return std::nullopt;
-    std::optional<std::vector<S>> w;
-    if (weights && !(w = read_scalars<S>(*weights, at.size(), at.size()))) return std::nullopt;
-    std::vector<HPoint<S>> read;
-    for (std::size_t i = 0; i < at.size(); ++i)
-      if (const auto xyz = read_scalars<S>(at[i], dimension, dimension))
-        read.push_back(homogeneous(*xyz, w ? (*w)[i] : S(1), w.has_value()));
-    return read.size() == at.size() ? std::optional(std::move(read)) : std::nullopt;
-  }
-
-  std::optional<Outcome<S>> read_curve_result(const Cursor& at) const {
-    if (!at.expect_object({"degree", "knots", "points", "weights"})) return std::nullopt;
-    const auto degree_at = at.required("degree");
-    const auto points_at = at.required("points");
-    if (!degree_at || !points_at) return std::nullopt;
-    Curve<S> curve;
-    const auto degree = degree_at->integer(1, max_degree);
-    const auto P = points(*points_at, at.optional("weights"), dimension_);
-    const auto U = P ? knots(at.optional("knots"), degree, P->size()) : std::nullopt;
-    if (!degree || !P || !U) return std::nullopt;
-    curve.degree = *degree;
-    curve.points = *P;
-    curve.knots = *U;
-    curve.dimension = static_cast<int>(dimension_);
-    curve.rational = at.optional("weights").has_value();
-    curve.bezier = !at.optional("knots").has_value();
-    return curve;
-  }
-
-  std::optional<Outcome<S>> read_surface_result(const Cursor& at) const {
-    if (!at.expect_object({"degree", "knots", "points", "weights"})) return std::nullopt;
-    const auto degree_at = at.required("degree");
-    const auto points_at = at.required("points");
-    const auto knots_at = at.optional("knots");
-    const auto weights_at = at.optional("weights");
-    if (!degree_at || !points_at || !degree_at->expect_array(2, 2) || !points_at->expect_array(2)) return std::nullopt;
-    if (knots_at && !knots_at->expect_array(2, 2)) return std::nullopt;
-    if (weights_at && !weights_at->expect_array(points_at->size(), points_at->size())) return std::nullopt;
-    Surface<S> surface;
-    surface.rows = static_cast<int>(points_at->size());
-    surface.rational = weights_at.has_value();
-    surface.bezier = !knots_at.has_value();
-    for (std::size_t i = 0; i < points_at->size(); ++i) {
-      const auto row = points((*points_at)[i], weights_at ? std::optional((*weights_at)[i]) : std::nullopt, 3);
-      if (!row) return std::nullopt;
-      if (i > 0 && row->size() != static_cast<std::size_t>(surface.columns)) {
-        (*points_at)[i].error("must have as many points as the row before, " + std::to_string(surface.columns));
-        return std::nullopt;
-      }
-      surface.columns = static_cast<int>(row->size());
-      surface.points.insert(surface.points.end(), row->begin(), row->end());
-    }
-    for (std::size_t d = 0; d < 2; ++d) {
-      const auto degree = (*degree_at)[d].integer(1, max_degree);
-      const auto U = knots(knots_at ? std::optional((*knots_at)[d]) : std::nullopt, degree,
-                           static_cast<std::size_t>(d == 0 ? surface.rows : surface.columns));
-      if (!degree || !U) return std::nullopt;
-      surface.degree[d] = *degree;
-      surface.knots[d] = *U;
-    }
-    return surface;
-  }
-
-  std::size_t dimension_;
-};
 
 }  // namespace
 
@@ -247,7 +89,8 @@ class TraceReader {
       for (std::size_t k = 0; k < all.size(); ++k) {
         const std::uint32_t around = phase;
         while (phase != absent && trace_.phases_[phase].last_step < k) phase = trace_.phases_[phase].parent;
-        if (next < trace_.phases_.size() && trace_.phases_[next].first_step == k) phase = static_cast<std::uint32_t>(next++);
+        if (next < trace_.phases_.size() && trace_.phases_[next].first_step == k)
+          phase = static_cast<std::uint32_t>(next++);
         if (phase != around || k == 0) {
           labels.clear();
           for (const std::uint32_t p : trace_.phase_path(phase)) labels.push_back(trace_.phases_[p].label());
@@ -269,7 +112,8 @@ class TraceReader {
         ValueRecord record;
         record.numbers_at = static_cast<std::uint32_t>(trace_.numbers_.size());
         record.operands_at = static_cast<std::uint32_t>(trace_.operands_.size());
-        if (!at.expect_object({"name", "kind", "value", "weight", "homogeneous", "approximate", "step", "retired", "rule", "from", "polar"})) {
+        if (!at.expect_object({"name", "kind", "value", "weight", "homogeneous", "approximate", "step", "retired",
+                               "rule", "from", "polar"})) {
           sound = false;
           continue;
         }
@@ -301,7 +145,8 @@ class TraceReader {
       const auto labels = trace_.polar_labels();
       for (const auto& [v, at] : labelled)
         if (const std::string right = labels[v].empty() ? "" : to_string(labels[v]); at.json().text != right)
-          at.error(right.empty() ? "must be left out: the operands of this value have no such labels" : "must be " + json_quote(right));
+          at.error(right.empty() ? "must be left out: the operands of this value have no such labels"
+                                 : "must be " + json_quote(right));
       return !all.errors_since(before);
     }
 
@@ -311,7 +156,8 @@ class TraceReader {
       if (!at.expect_object({"id", "index", "scoped", "algorithm", "parent", "first_step", "last_step"})) return false;
       if (const auto id = at.required("id"))
         if (auto text = id->string()) {
-          if (text->empty() || text->size() > 32 || !is_word(*text)) id->error("must be 1 to 32 letters, digits and underscores");
+          if (text->empty() || text->size() > 32 || !is_word(*text))
+            id->error("must be 1 to 32 letters, digits and underscores");
           record.id = std::move(*text);
         }
       if (const auto index = at.optional("index")) record.index = index->integer(0, max_step).value_or(0);
@@ -321,9 +167,11 @@ class TraceReader {
           if (find_algorithm(*text) == nullptr) unknown(*algorithm, "algorithm", *text, algorithm_ids());
           record.algorithm = std::move(*text);
         }
-      if (const auto parent = at.optional("parent")) record.parent = static_cast<std::uint32_t>(parent->integer(0, max_step).value_or(0));
+      if (const auto parent = at.optional("parent"))
+        record.parent = static_cast<std::uint32_t>(parent->integer(0, max_step).value_or(0));
       const auto first = at.required("first_step");
-      if (const auto k = first ? first->integer(0, last) : std::nullopt) record.first_step = static_cast<std::uint32_t>(*k);
+      if (const auto k = first ? first->integer(0, last) : std::nullopt)
+        record.first_step = static_cast<std::uint32_t>(*k);
       const auto end = at.required("last_step");
       if (const auto k = end ? end->integer(static_cast<int>(record.first_step), last) : std::nullopt)
         record.last_step = static_cast<std::uint32_t>(*k);
@@ -343,7 +191,8 @@ class TraceReader {
           (*phase)[i].error("must be " + json_quote(labels[i]) + ", the phase that this step is in");
     }
 
-    static void unknown(const Cursor& at, std::string_view what, const std::string& text, const std::vector<std::string>& known) {
+    static void unknown(const Cursor& at, std::string_view what, const std::string& text,
+                        const std::vector<std::string>& known) {
       std::string message = "there is no " + std::string(what) + " " + excerpt(text);
       if (const auto near = did_you_mean(text, known)) message += "; did you mean " + json_quote(*near) + "?";
       at.error(std::move(message));
@@ -354,7 +203,8 @@ class TraceReader {
       const auto value_at = at.required("value");
       const auto kind_text = kind_at ? kind_at->string() : std::nullopt;
       if (!kind_text || !value_at) return;
-      constexpr std::array kinds{ValueKind::integer, ValueKind::scalar, ValueKind::point, ValueKind::vector, ValueKind::list};
+      constexpr std::array kinds{ValueKind::integer, ValueKind::scalar, ValueKind::point, ValueKind::vector,
+                                 ValueKind::list};
       const auto kind = std::ranges::find(kinds, *kind_text, kind_name);
       if (kind == kinds.end()) {
         std::vector<std::string> known;
@@ -368,13 +218,20 @@ class TraceReader {
         case ValueKind::integer:
         case ValueKind::scalar:
           if (auto x = read_scalar<S>(*value_at)) {
-            if (int whole = 0; record.kind == ValueKind::integer && !detail::to_int(*x, whole)) value_at->error("must be a whole number");
+            if (int whole = 0; record.kind == ValueKind::integer && !detail::to_int(*x, whole))
+              value_at->error("must be a whole number");
             numbers.emplace(1, std::move(*x));
           }
           break;
-        case ValueKind::point: numbers = read_point(at, *value_at); break;
-        case ValueKind::vector: numbers = read_scalars<S>(*value_at, 4, 4); break;
-        case ValueKind::list: numbers = read_scalars<S>(*value_at, 0, SIZE_MAX); break;
+        case ValueKind::point:
+          numbers = read_point(at, *value_at);
+          break;
+        case ValueKind::vector:
+          numbers = read_scalars<S>(*value_at, 4, 4);
+          break;
+        case ValueKind::list:
+          numbers = read_scalars<S>(*value_at, 0, SIZE_MAX);
+          break;
       }
       for (const std::string_view key : {"weight", "homogeneous"})
         if (const auto extra = at.optional(key); extra && record.kind != ValueKind::point)
@@ -407,7 +264,8 @@ class TraceReader {
       for (std::size_t i = 0; i < dimension; ++i)
         same = same && (divide ? S((*four)[i] / (*four)[3]) : (*four)[i]) == (*xyz)[i];
       // What is known in double precision only is not divided back exactly.
-      if (!same && !(std::same_as<S, Exact> && at.optional("approximate"))) four_at->error("must be the homogeneous form of value and weight");
+      if (!same && !(std::same_as<S, Exact> && at.optional("approximate")))
+        four_at->error("must be the homogeneous form of value and weight");
       return four;
     }
 
@@ -422,7 +280,8 @@ class TraceReader {
           if (at.json().boolean) std::ranges::for_each(numbers, mark);
         } else if (at.expect_array(1, numbers.size())) {
           for (std::size_t i = 0; i < at.size(); ++i)
-            if (const auto which = at[i].integer(0, static_cast<int>(numbers.size()) - 1)) mark(numbers[static_cast<std::size_t>(*which)]);
+            if (const auto which = at[i].integer(0, static_cast<int>(numbers.size()) - 1))
+              mark(numbers[static_cast<std::size_t>(*which)]);
         }
       }
     }
@@ -459,11 +318,13 @@ class TraceReader {
         return false;
       }
       if (record.rule->makes != record.kind) {
-        rule_at->error("makes a value of kind " + std::string(kind_name(record.rule->makes)) + ", not " + std::string(kind_name(record.kind)));
+        rule_at->error("makes a value of kind " + std::string(kind_name(record.rule->makes)) + ", not " +
+                       std::string(kind_name(record.kind)));
         return false;
       }
       if (all && !record.rule->accepts(kinds)) {
-        from->error("these are not the operands of the rule " + json_quote(*text) + ": " + std::string(record.rule->formula));
+        from->error("these are not the operands of the rule " + json_quote(*text) + ": " +
+                    std::string(record.rule->formula));
         return false;
       }
       return all;
@@ -483,7 +344,8 @@ class TraceReader {
       for (std::size_t i = symbol.size(); good && i < local.size();) {
         int index = 0;
         const auto read = std::from_chars(local.data() + i + 1, local.data() + local.size(), index);
-        good = local[i] == '[' && read.ec == std::errc() && read.ptr < local.data() + local.size() && *read.ptr == ']' && name.arity < 2;
+        good = local[i] == '[' && read.ec == std::errc() && read.ptr < local.data() + local.size() &&
+               *read.ptr == ']' && name.arity < 2;
         if (!good) break;
         name.index[name.arity++] = index;
         i = static_cast<std::size_t>(read.ptr - local.data()) + 1;
@@ -495,7 +357,8 @@ class TraceReader {
       if (trace_.name(v) != *text) {
         name.outer = 1;
         if (trace_.name(v) != *text) {
-          name_at->error("must begin with the scope of its phase, " + json_quote(scope_of(v)) + ", and its indices must be plain");
+          name_at->error("must begin with the scope of its phase, " + json_quote(scope_of(v)) +
+                         ", and its indices must be plain");
           return;
         }
       }
@@ -511,7 +374,10 @@ class TraceReader {
     void read_label(const Cursor& at, ValueId v) {
       const auto text = at.string();
       if (!text) return;
-      const auto wrong = [&] { at.error("must be a polar label such as \"b(0, 2/5, 1)\" of up to " + std::to_string(max_degree) + " arguments"); };
+      const auto wrong = [&] {
+        at.error("must be a polar label such as \"b(0, 2/5, 1)\" of up to " + std::to_string(max_degree) +
+                 " arguments");
+      };
       if (!text->starts_with("b(") || !text->ends_with(")")) return wrong();
       std::vector<S> arguments[2];
       int direction = 0;
@@ -526,9 +392,11 @@ class TraceReader {
         if (rest[end] == ';' && ++direction > 1) return wrong();
         rest.remove_prefix(std::min(end + 2, rest.size()));
       }
-      trace_.polar_seeds_.push_back({Trace<S>::PolarSeed::Kind::net, v, static_cast<std::uint32_t>(trace_.polar_numbers_.size()),
-                                     static_cast<std::int32_t>(arguments[0].size()), static_cast<std::int32_t>(arguments[1].size())});
-      for (const auto& list : arguments) trace_.polar_numbers_.insert(trace_.polar_numbers_.end(), list.begin(), list.end());
+      trace_.polar_seeds_.push_back(
+          {Trace<S>::PolarSeed::Kind::net, v, static_cast<std::uint32_t>(trace_.polar_numbers_.size()),
+           static_cast<std::int32_t>(arguments[0].size()), static_cast<std::int32_t>(arguments[1].size())});
+      for (const auto& list : arguments)
+        trace_.polar_numbers_.insert(trace_.polar_numbers_.end(), list.begin(), list.end());
     }
 
     Trace<S>& trace_;
@@ -539,7 +407,8 @@ class TraceReader {
 Checked<StoredTrace> read_trace(const JsonDocument& document) {
   Diagnostics diagnostics;
   const Cursor at(document, diagnostics);
-  if (!at.expect_object({"schema", "algorithm", "inputs", "exact", "dimension", "rational", "phases", "steps", "values", "result"}))
+  if (!at.expect_object(
+          {"schema", "algorithm", "inputs", "exact", "dimension", "rational", "phases", "steps", "values", "result"}))
     return diagnostics;
   if (const auto schema = at.required("schema"))
     if (const auto text = schema->string(); text && *text != "blossom.trace/1")

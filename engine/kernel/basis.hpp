@@ -10,6 +10,7 @@
 // The span decides which polynomial piece is meant: with k from find_span the values are right limits at the knots and
 // the left limit at the domain's end. On a nonempty span no denominator is zero.
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -95,7 +96,7 @@ inline void basis_on_span(const S* Uk, int degree, const S& u, S* N) {
   }
 }
 
-// Row j = 0..d of `ders` (p + 1 values each) receives the j-th derivatives of N_{k-p..k, p} at u. Equation 2.9, applied
+// Row j = 0..d <= p of `ders` (p + 1 values each) receives the j-th derivatives of N_{k-p..k, p} at u. Equation 2.9, applied
 // j times: N^(j)_{i,q} = q (N^(j-1)_{i,q-1} / (u_{i+q} - u_i) - N^(j-1)_{i+1,q-1} / (u_{i+q+1} - u_{i+1})).
 template <int P, Scalar S>
 inline void basis_derivatives_on_span(const S* Uk, int degree, const S& u, int d, const S* R, S* ders) {
@@ -120,7 +121,6 @@ inline void basis_derivatives_on_span(const S* Uk, int degree, const S& u, int d
       D[level] = saved;
     }
   }
-  for (int i = (p + 1) * order; i < (d + 1) * order; ++i) ders[i] = S(0);
 }
 
 }  // namespace detail
@@ -140,8 +140,9 @@ void basis_derivatives(Knots<S> U, int p, int k, const S& u, int d, Out<S> ders)
   detail::Reciprocals<S> R;
   detail::with_degree<S>(p, [&](auto P) {
     detail::knot_reciprocals<P()>(U.data() + k, p, R.data());
-    detail::basis_derivatives_on_span<P()>(U.data() + k, p, u, d, R.data(), ders.data());
+    detail::basis_derivatives_on_span<P()>(U.data() + k, p, u, std::min(d, p), R.data(), ders.data());
   });
+  for (int i = (p + 1) * (p + 1); i < (d + 1) * (p + 1); ++i) ders[i] = S(0);
 }
 
 // The single basis function N_{i,p}(u), for any real u and without regard to the domain: zero outside of

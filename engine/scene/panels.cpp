@@ -1,6 +1,7 @@
 #include "scene/panels.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <vector>
@@ -29,10 +30,12 @@ double heading(View& view, double x, double y, const std::string& words) {
   return 22;
 }
 
-// How many lines a text takes at a width, in characters of about half an em: enough to reserve space.
+// How many lines a text takes at a width, in characters of about half an em: enough to reserve space. Lines that are
+// broken at blanks are about seven eighths full.
 int lines_of(std::size_t characters, double width, double size) {
   const double per_line = std::max(8.0, width / (size * 0.6));
-  return std::max(1, static_cast<int>((static_cast<double>(characters) + per_line - 1) / per_line));
+  const auto count = static_cast<double>(characters);
+  return count <= per_line ? 1 : static_cast<int>(std::ceil(count / (per_line * 0.875)));
 }
 
 std::size_t characters(const RichText& runs) {
@@ -51,7 +54,7 @@ double add_pseudo_code(View& view, const StepSource& source, std::uint32_t step,
   std::size_t longest = 1;
   for (const auto line : algorithm.pseudo_code) longest = std::max(longest, line.size());
   const double size = std::min(0.86, (width - 26) / (static_cast<double>(longest) * 14 * 0.69));  // of a theme with larger text, too
-  if (size < 0.58) {  // too small to read: only the line that counts, wrapped
+  if (size < 0.55) {  // too small to read: only the line that counts, wrapped
     if (current == 0) return at - y;
     const std::string_view code = algorithm.pseudo_code[static_cast<std::size_t>(current) - 1];
     const std::string line(code.substr(code.find_first_not_of(' ')));
@@ -91,10 +94,10 @@ double add_formula(View& view, const StepSource& source, std::uint32_t step, dou
 
   RichText result = typeset_name(source.graph->value(v).name, algorithm);
   result.push_back({" = " + value});
-  const int lines = lines_of(characters(result) + 2, width, 14 * 1.05);
-  Label& made = text(view, x, at + 15, std::move(result), Role::text_current, 1.05);
-  made.max_width = width;
-  at += 21 * lines + 4;
+  const std::size_t letters = characters(result) + 2;
+  const double size = lines_of(letters, width, 14 * 1.05) > 2 ? 0.85 : 1.05;
+  text(view, x, at + 15, std::move(result), Role::text_current, size).max_width = width;
+  at += 21 * size * lines_of(letters, width, 15.7 * size) + 4;
 
   // One label, so that its lines cannot run into each other however they wrap.
   std::vector<std::string> parts{"= " + shortened(formula)};

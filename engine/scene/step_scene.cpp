@@ -400,7 +400,7 @@ Scene StepScenes::page(std::uint32_t step, const std::string& narration, const P
     return page.labels.back();
   };
   const double room_for_title = options.width - 2 * margin - 130;  // beside the step's number
-  const double title_size = std::min(1.35, room_for_title / (static_cast<double>(options.title.size()) * 14 * 0.7));
+  const double title_size = std::min(1.35, room_for_title / (static_cast<double>(options.title.size()) * 12.2));  // of the theme with the largest text
   text(margin, 34, {{options.title, TextRun::Level::base, false, true}}, Role::text_strong, title_size);
   text(options.width - margin, 34, {{"step " + std::to_string(step) + " / " + std::to_string(graph.step_count() - 1)}}, Role::text_quiet, 1)
       .placement = Label::Placement::right;
@@ -414,13 +414,13 @@ Scene StepScenes::page(std::uint32_t step, const std::string& narration, const P
   for (const std::uint32_t phase : graph.phase_path(graph.step(step).phase))
     phases += (phases.empty() ? "" : "  ›  ") + source.phase_title(phase);
   if (!phases.empty()) {
-    text(margin, y - 2, {{phases}}, Role::text_quiet, 0.85);
+    text(margin, y - 2, {{phases}}, Role::text_quiet, std::min(0.85, (options.width - 2 * margin) / (static_cast<double>(phases.size()) * 8)));
     y += 20;
   }
   // A long one on a small page is set smaller, so that its last line is still on it.
   const double narration_width = options.width - 2 * margin;
   const auto narration_height = [&](double size) {
-    return std::ceil(static_cast<double>(narration.size()) * 14 * size * 0.57 / narration_width) * 1.4 * 14 * size;
+    return std::ceil(static_cast<double>(narration.size()) * size * 9 / narration_width) * 22 * size;
   };
   double narration_size = 1.08;
   while (narration_size > 0.7 && y - 10 + narration_height(narration_size) > options.height) narration_size -= 0.04;

@@ -1,7 +1,7 @@
 #pragma once
-// An array of plain data that grows by std::realloc, which for large blocks moves pages instead of bytes: a recorder that
-// has no memory yet spends most of its time on memory it touches for the first time, and a std::vector touches all of it
-// twice. New elements are not initialized.
+// An array of plain data that grows by std::realloc, which for large blocks moves pages instead of bytes: a recorder
+// that has no memory yet spends most of its time on memory it touches for the first time, and a std::vector touches all
+// of it twice. New elements are not initialized.
 
 #include <algorithm>
 #include <cstdlib>

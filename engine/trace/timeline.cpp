@@ -35,7 +35,8 @@ void Timeline::step_forward() {
     const auto place = std::lower_bound(state_.alive.begin(), state_.alive.end(), it->second);
     if (place != state_.alive.end() && *place == it->second) state_.alive.erase(place);
   }
-  if (trace_->step(step).phase != trace_->step(step - 1).phase) state_.phases = trace_->phase_path(trace_->step(step).phase);
+  if (trace_->step(step).phase != trace_->step(step - 1).phase)
+    state_.phases = trace_->phase_path(trace_->step(step).phase);
 }
 
 void Timeline::step_back() {
@@ -45,8 +46,10 @@ void Timeline::step_back() {
   const auto gone = std::equal_range(retired_.begin(), retired_.end(), std::pair(step, ValueId{0}),
                                      [](const auto& a, const auto& b) { return a.first < b.first; });
   for (auto it = gone.first; it != gone.second; ++it)
-    if (it->second < first) state_.alive.insert(std::lower_bound(state_.alive.begin(), state_.alive.end(), it->second), it->second);
-  if (trace_->step(step).phase != trace_->step(step - 1).phase) state_.phases = trace_->phase_path(trace_->step(step - 1).phase);
+    if (it->second < first)
+      state_.alive.insert(std::lower_bound(state_.alive.begin(), state_.alive.end(), it->second), it->second);
+  if (trace_->step(step).phase != trace_->step(step - 1).phase)
+    state_.phases = trace_->phase_path(trace_->step(step - 1).phase);
 }
 
 bool Timeline::seek(std::uint32_t step) {

@@ -22,7 +22,8 @@ struct TimelineState {
 
 class Timeline {
  public:
-  // The trace must live as long as the timeline and have at least one step. Starts at step 0, paused, one step a second.
+  // The trace must live as long as the timeline and have at least one step. Starts at step 0, paused, one step a
+  // second.
   explicit Timeline(const TraceGraph&);
 
   const TimelineState& state() const { return state_; }
@@ -53,7 +54,7 @@ class Timeline {
   void set_loop(std::uint32_t first, std::uint32_t last);
   void clear_loop() { loop_.reset(); }
   std::optional<std::pair<std::uint32_t, std::uint32_t>> loop() const { return loop_; }
-  bool advance(double seconds);             // while playing; true if the position changed
+  bool advance(double seconds);                  // while playing; true if the position changed
   double fraction() const { return fraction_; }  // how much of the time of this step has passed, in [0, 1)
 
  private:

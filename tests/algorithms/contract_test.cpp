@@ -62,7 +62,8 @@ TEST_CASE("the double trace takes the steps of the exact one and agrees with it 
       CHECK(a.value(v).step == b.value(v).step);
       CHECK(a.retired_at(v) == b.retired_at(v));
       REQUIRE(a.numbers(v).size() == b.numbers(v).size());
-      for (std::size_t i = 0; i < a.numbers(v).size(); ++i) CHECK(agree(b.numbers(v)[i], a.numbers(v)[i].to_double(), scale));
+      for (std::size_t i = 0; i < a.numbers(v).size(); ++i)
+        CHECK(agree(b.numbers(v)[i], a.numbers(v)[i].to_double(), scale));
     }
   });
 }
@@ -197,11 +198,14 @@ TEST_CASE("every rule that is used stands in the table of its algorithm", "[cont
 TEST_CASE("a run whose numbers overflow is refused in double, and exact in exact arithmetic", "[contract]") {
   const Algorithm& algorithm = *find_algorithm("degree_elevation");
   const auto document = JsonDocument::parse(
-      "inputs", R"({"curve": {"degree": 2, "knots": [0,1,10,10.1,20,21], "points": [[1.7e308,0],[-1.7e308,0],[1.7e308,0]]}})");
+      "inputs",
+      R"({"curve": {"degree": 2, "knots": [0,1,10,10.1,20,21], "points": [[1.7e308,0],[-1.7e308,0],[1.7e308,0]]}})");
   Diagnostics diagnostics;
   const auto inputs = read_inputs(algorithm, Cursor(*document, diagnostics));  // unclamped: new points are extrapolated
   REQUIRE(inputs);
-  CHECK(to_string(record<double>(algorithm, *inputs).diagnostics).find("too large for double precision") != std::string::npos);
-  CHECK(to_string(run_plain<double>(algorithm, *inputs).diagnostics).find("too large for double precision") != std::string::npos);
+  CHECK(to_string(record<double>(algorithm, *inputs).diagnostics).find("too large for double precision") !=
+        std::string::npos);
+  CHECK(to_string(run_plain<double>(algorithm, *inputs).diagnostics).find("too large for double precision") !=
+        std::string::npos);
   CHECK(record<Exact>(algorithm, *inputs));
 }

@@ -18,7 +18,8 @@ void check_elevation(const Curve<Exact>& curve, int times) {
   CHECK(std::is_sorted(made.knots.begin(), made.knots.end()));
   CHECK(same_curve(made, curve));
 
-  // Minimal: inside the domain every knot `times` more often; at its ends so much that there is a domain of this degree.
+  // Minimal: inside the domain every knot `times` more often; at its ends so much that there is a domain of this
+  // degree.
   for (std::size_t i = 0; i < made.knots.size(); ++i) {
     const Exact& u = made.knots[i];
     INFO("knot " << u.to_string());
@@ -34,7 +35,8 @@ void check_elevation(const Curve<Exact>& curve, int times) {
   for (const Exact& u : curve.knots)
     if (curve.domain_begin() < u && u < curve.domain_end()) CHECK(multiplicity<Exact>(made.knots, u) > 0);
 
-  const auto rounded = both_ways<double>([&](auto& rec) { return degree_elevation(convert<double>(curve), times, rec); });
+  const auto rounded =
+      both_ways<double>([&](auto& rec) { return degree_elevation(convert<double>(curve), times, rec); });
   CHECK(rounded.knots == convert<double>(made).knots);
   const double scale = largest_coordinate(curve) + largest_coordinate(made);
   for (std::size_t i = 0; i < made.points.size(); ++i)
@@ -79,7 +81,8 @@ TEST_CASE("elevation of B-splines, clamped or not, with knots of every multiplic
       for (const int highest : {1, p, p + 1}) {
         for (const bool clamped : {true, false}) {
           INFO("seed " << seed << ", p = " << p << ", multiplicity up to " << highest);
-          check_elevation(random_curve(random, p, random_int(random, 1, 4), highest, clamped, seed % 2 == 0), random_int(random, 1, 3));
+          check_elevation(random_curve(random, p, random_int(random, 1, 4), highest, clamped, seed % 2 == 0),
+                          random_int(random, 1, 3));
         }
       }
     }
@@ -112,7 +115,10 @@ TEST_CASE("coincident points and weights of zero go through elevation", "[elevat
 
 TEST_CASE("elevation beyond the highest degree is refused", "[elevation]") {
   const auto message = [](int times) {
-    return to_string(inputs_of(*find_algorithm("degree_elevation"), R"({"curve": {"degree": 2, "points": [[0,0],[1,1],[2,0]]}, "times": )" + std::to_string(times) + "}").diagnostics);
+    return to_string(
+        inputs_of(*find_algorithm("degree_elevation"),
+                  R"({"curve": {"degree": 2, "points": [[0,0],[1,1],[2,0]]}, "times": )" + std::to_string(times) + "}")
+            .diagnostics);
   };
   CHECK(message(23).empty());
   CHECK(message(24).find("times: must be at most 23 here: the degree is 2 and may grow up to 25") != std::string::npos);

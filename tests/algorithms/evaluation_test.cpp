@@ -161,11 +161,16 @@ TEMPLATE_TEST_CASE("a denominator of zero is told, never computed with", "[evalu
 }
 
 TEST_CASE("parameters outside of the domain, and curves of the wrong kind, are refused", "[evaluation]") {
-  const auto message = [](const char* id, const std::string& text) { return to_string(inputs_of(*find_algorithm(id), text).diagnostics); };
+  const auto message = [](const char* id, const std::string& text) {
+    return to_string(inputs_of(*find_algorithm(id), text).diagnostics);
+  };
   const std::string bezier = R"({"degree": 2, "points": [[0,0],[1,1],[2,0]]})";
   const std::string unclamped = R"({"degree": 2, "knots": [0,1,2,3,4,5,6], "points": [[0,0],[1,1],[2,0],[3,3]]})";
-  CHECK(message("de_casteljau", R"({"curve": )" + bezier + R"(, "u": "9/8"})").find("must lie in the domain [0, 1], not at 9/8") != std::string::npos);
-  CHECK(message("de_casteljau", R"({"curve": )" + unclamped + R"(, "u": 0})").find("curve: must be a B") != std::string::npos);
-  CHECK(message("de_boor", R"({"curve": )" + unclamped + R"(, "u": 1})").find("must lie in the domain [2, 4], not at 1") != std::string::npos);
+  CHECK(message("de_casteljau", R"({"curve": )" + bezier + R"(, "u": "9/8"})")
+            .find("must lie in the domain [0, 1], not at 9/8") != std::string::npos);
+  CHECK(message("de_casteljau", R"({"curve": )" + unclamped + R"(, "u": 0})").find("curve: must be a B") !=
+        std::string::npos);
+  CHECK(message("de_boor", R"({"curve": )" + unclamped + R"(, "u": 1})")
+            .find("must lie in the domain [2, 4], not at 1") != std::string::npos);
   CHECK(message("de_boor", R"({"curve": )" + unclamped + R"(, "u": 2})").empty());
 }

@@ -1,6 +1,7 @@
 #pragma once
-// Random valid inputs for any algorithm, made from nothing but its table of inputs: an algorithm is tested the day it is
-// added. What is drawn goes through JSON text and the reader of lesson files, so every input is one that a file can hold.
+// Random valid inputs for any algorithm, made from nothing but its table of inputs: an algorithm is tested the day it
+// is added. What is drawn goes through JSON text and the reader of lesson files, so every input is one that a file can
+// hold.
 
 #include <catch2/catch.hpp>
 #include <random>
@@ -11,8 +12,8 @@
 
 namespace blossom::test {
 
-// Bezier or B-spline, clamped or not, degree 1 to 4, plane or spatial, rational or not, with multiple knots up to p + 1,
-// now and then with points that coincide or weights that are zero.
+// Bezier or B-spline, clamped or not, degree 1 to 4, plane or spatial, rational or not, with multiple knots up to p +
+// 1, now and then with points that coincide or weights that are zero.
 inline Curve<Exact> any_curve(std::mt19937& random, int dimension) {
   const auto one_in = [&](int n) { return random_int(random, 1, n) == 1; };
   const int p = random_int(random, 1, 4);
@@ -40,15 +41,22 @@ inline Exact any_parameter(std::mt19937& random, const Curve<Exact>& curve) {
   return curve.knots[static_cast<std::size_t>(random_int(random, curve.degree, curve.n() + 1))];
 }
 
-inline InputValue<Exact> any_value(std::mt19937& random, const InputSpec& spec, const Curve<Exact>& curve, int dimension) {
+inline InputValue<Exact> any_value(std::mt19937& random, const InputSpec& spec, const Curve<Exact>& curve,
+                                   int dimension) {
   switch (spec.type) {
-    case InputSpec::Type::number: return any_parameter(random, curve);
-    case InputSpec::Type::integer: return random_int(random, spec.at_least, std::min(spec.at_most, spec.at_least + 2));
+    case InputSpec::Type::number:
+      return any_parameter(random, curve);
+    case InputSpec::Type::integer:
+      return random_int(random, spec.at_least, std::min(spec.at_most, spec.at_least + 2));
     case InputSpec::Type::choice:
-      return std::string(spec.choices[static_cast<std::size_t>(random_int(random, 0, static_cast<int>(spec.choices.size()) - 1))]);
-    case InputSpec::Type::curve: return curve;
-    case InputSpec::Type::surface: return random_surface(random, 2, random_int(random, 1, 3), 2, true, random_int(random, 0, 1) == 1);
-    case InputSpec::Type::curves: break;
+      return std::string(
+          spec.choices[static_cast<std::size_t>(random_int(random, 0, static_cast<int>(spec.choices.size()) - 1))]);
+    case InputSpec::Type::curve:
+      return curve;
+    case InputSpec::Type::surface:
+      return random_surface(random, 2, random_int(random, 1, 3), 2, true, random_int(random, 0, 1) == 1);
+    case InputSpec::Type::curves:
+      break;
   }
   std::vector<Curve<Exact>> curves{curve};
   for (int l = random_int(random, 1, 3); l > 0; --l) curves.push_back(any_curve(random, dimension));
@@ -63,7 +71,8 @@ inline Inputs<Exact> any_inputs(const Algorithm& algorithm, unsigned seed) {
     const Curve<Exact> curve = any_curve(random, dimension);
     std::string text = "{";
     for (const auto& spec : algorithm.inputs)
-      text += (text.size() > 1 ? ", " : "") + json_quote(spec.name) + ": " + write_input(any_value(random, spec, curve, dimension));
+      text += (text.size() > 1 ? ", " : "") + json_quote(spec.name) + ": " +
+              write_input(any_value(random, spec, curve, dimension));
     const auto document = JsonDocument::parse("inputs", text + "}");
     Diagnostics diagnostics;
     if (!document) continue;

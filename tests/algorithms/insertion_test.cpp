@@ -22,7 +22,8 @@ void check_insertion(const Curve<Exact>& curve, const Exact& u, int times) {
   REQUIRE(made.points.size() == curve.points.size() + static_cast<std::size_t>(times));
   CHECK(same_curve(made, curve));
 
-  const auto rounded = both_ways<double>([&](auto& rec) { return knot_insertion(convert<double>(curve), u.to_double(), times, rec); });
+  const auto rounded =
+      both_ways<double>([&](auto& rec) { return knot_insertion(convert<double>(curve), u.to_double(), times, rec); });
   CHECK(rounded.knots == convert<double>(made).knots);
   const double scale = largest_coordinate(curve);
   for (std::size_t i = 0; i < made.points.size(); ++i)
@@ -94,11 +95,13 @@ TEST_CASE("weights of zero go through insertion", "[insertion]") {
 
 TEST_CASE("more than full multiplicity is refused, and says how much is allowed", "[insertion]") {
   const auto message = [](const std::string& rest) {
-    const std::string curve = R"({"curve": {"degree": 3, "knots": [0,0,0,0,1,2,2,3,3,3,3], "points": [[0,0],[1,1],[2,0],[3,1],[4,0],[5,1],[6,0]]}, )";
+    const std::string curve =
+        R"({"curve": {"degree": 3, "knots": [0,0,0,0,1,2,2,3,3,3,3], "points": [[0,0],[1,1],[2,0],[3,1],[4,0],[5,1],[6,0]]}, )";
     return to_string(inputs_of(*find_algorithm("knot_insertion"), curve + rest + "}").diagnostics);
   };
   CHECK(message(R"("u": 1, "times": 2)").empty());
-  CHECK(message(R"("u": 1, "times": 3)").find("times: must be at most 2 here: u has multiplicity 1 and the degree is 3") != std::string::npos);
+  CHECK(message(R"("u": 1, "times": 3)")
+            .find("times: must be at most 2 here: u has multiplicity 1 and the degree is 3") != std::string::npos);
   CHECK(message(R"("u": 2, "times": 2)").find("must be at most 1 here") != std::string::npos);
   CHECK(message(R"("u": 3)").find("is a knot of multiplicity 4 already") != std::string::npos);
   CHECK(message(R"("u": -1)").find("must lie in the domain [0, 3], not at -1") != std::string::npos);

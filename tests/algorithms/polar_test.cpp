@@ -31,13 +31,15 @@ bool same_place(const Points& P, NumbersView<Exact> numbers, bool divided) {
 }
 
 // Whether a piece near the arguments has this value there.
-bool is_blossom_value(const Curve<Exact>& curve, const std::vector<Exact>& t, NumbersView<Exact> numbers, bool divided) {
+bool is_blossom_value(const Curve<Exact>& curve, const std::vector<Exact>& t, NumbersView<Exact> numbers,
+                      bool divided) {
   if (static_cast<int>(t.size()) < curve.degree) return false;
   const auto [least, greatest] = std::minmax_element(t.begin(), t.end());
   for (int k = curve.degree; k <= curve.n(); ++k) {
     const Exact& a = curve.knots[static_cast<std::size_t>(k)];
     const Exact& b = curve.knots[static_cast<std::size_t>(k) + 1];
-    if (a < b && !(b < *least) && !(*greatest < a) && same_place(elevated_blossom(curve, k, t), numbers, divided)) return true;
+    if (a < b && !(b < *least) && !(*greatest < a) && same_place(elevated_blossom(curve, k, t), numbers, divided))
+      return true;
   }
   return false;
 }
@@ -53,7 +55,8 @@ Curve<Exact> over_unit_domain(Curve<Exact> curve) {
 int profile_of(const TraceGraph& trace, ValueId v) {
   for (const std::uint32_t phase : trace.phase_path(trace.phase_of(v))) {
     const auto& record = trace.phases()[phase];
-    if (record.id == "clamp" || record.id == "raise" || record.id == "domain" || record.id == "refine") return record.index;
+    if (record.id == "clamp" || record.id == "raise" || record.id == "domain" || record.id == "refine")
+      return record.index;
   }
   return trace.is_input(v) ? trace.value(v).name.index[0] : -1;
 }
@@ -87,7 +90,10 @@ TEST_CASE("every point carries a polar label", "[polar]") {
 
 TEST_CASE("every label is where the blossom of the input curve has that value", "[polar]") {
   for_each_run(40, [](const Algorithm& algorithm, const Inputs<Exact>& inputs) {
-    if (!std::ranges::any_of(algorithm.inputs, [](const InputSpec& spec) { return spec.name == "curve" && spec.type == InputSpec::Type::curve; })) return;
+    if (!std::ranges::any_of(algorithm.inputs, [](const InputSpec& spec) {
+          return spec.name == "curve" && spec.type == InputSpec::Type::curve;
+        }))
+      return;
     const auto run = record<Exact>(algorithm, inputs);
     const auto labels = run->trace.polar_labels();
     const auto& curve = inputs.curve("curve");
@@ -115,7 +121,8 @@ TEST_CASE("in skinning the labels are those of the profiles, and of the surface"
       INFO(trace.name(v) << " = " << to_string(labels[v]));
       if (const int l = profile_of(trace, v); l >= 0) {
         const auto& profile = inputs.curves("profiles")[static_cast<std::size_t>(l)];
-        CHECK(is_blossom_value(after_mapping(trace, v) ? over_unit_domain(profile) : profile, labels[v].u, trace.numbers(v), false));
+        CHECK(is_blossom_value(after_mapping(trace, v) ? over_unit_domain(profile) : profile, labels[v].u,
+                               trace.numbers(v), false));
         continue;
       }
       // The tensor blossom of the surface: along each row of the net, then across the rows.
@@ -123,9 +130,11 @@ TEST_CASE("in skinning the labels are those of the profiles, and of the surface"
       across.degree = surface.degree[0];
       across.knots = surface.knots[0];
       const int along = find_span<Exact>(surface.knots[1], surface.degree[1], labels[v].v.front());
-      for (int i = 0; i < surface.rows; ++i) across.points.push_back(elevated_blossom(row(surface, i), along, labels[v].v));
+      for (int i = 0; i < surface.rows; ++i)
+        across.points.push_back(elevated_blossom(row(surface, i), along, labels[v].v));
       double scale = 1;
-      for (const auto& P : surface.points) scale = std::max({scale, std::abs(P.x.to_double()), std::abs(P.y.to_double()), std::abs(P.z.to_double())});
+      for (const auto& P : surface.points)
+        scale = std::max({scale, std::abs(P.x.to_double()), std::abs(P.y.to_double()), std::abs(P.z.to_double())});
       const auto numbers = trace.numbers(v);
       bool found = false;
       for (int k = across.degree; k <= across.n(); ++k) {
@@ -134,7 +143,8 @@ TEST_CASE("in skinning the labels are those of the profiles, and of the surface"
         bool same = true;
         for (int c = 0; c < 4; ++c) {
           const Exact difference = abs(P[c] - numbers[static_cast<std::size_t>(c)]);
-          same = same && (difference == Exact(0) || (difference.is_approximate() && difference.to_double() < 1e-9 * scale));
+          same = same &&
+                 (difference == Exact(0) || (difference.is_approximate() && difference.to_double() < 1e-9 * scale));
         }
         found = found || same;
       }

@@ -9,12 +9,14 @@ using namespace blossom::test;
 namespace {
 
 // What every control point weighs in a value: run with one point at 1 and the others at 0.
-std::vector<Exact> weights_of(const char* id, const std::string& degree_and_knots, int points, const std::string& rest, const std::string& name) {
+std::vector<Exact> weights_of(const char* id, const std::string& degree_and_knots, int points, const std::string& rest,
+                              const std::string& name) {
   std::vector<Exact> weights;
   for (int one = 0; one < points; ++one) {
     std::string P;
     for (int i = 0; i < points; ++i) P += (i > 0 ? ", [" : "[") + std::string(i == one ? "1" : "0") + ", 0]";
-    weights.push_back(numbers_of(run_of(id, R"({"curve": {)" + degree_and_knots + R"(, "points": [)" + P + "]}, " + rest + "}"), name)[0]);
+    weights.push_back(numbers_of(
+        run_of(id, R"({"curve": {)" + degree_and_knots + R"(, "points": [)" + P + "]}, " + rest + "}"), name)[0]);
   }
   return weights;
 }
@@ -23,7 +25,8 @@ std::vector<Exact> weights_of(const char* id, const std::string& degree_and_knot
 
 TEST_CASE("Shene, de Boor's algorithm: a cubic on [0, 1] at u = 0.4", "[published]") {
   const std::string curve = R"("degree": 3, "knots": [0,0,0,0,0.25,0.5,0.75,1,1,1,1])";
-  const auto run = run_of("de_boor", R"({"curve": {)" + curve + R"(, "points": [[0,0],[1,3],[2,1],[4,2],[5,0],[6,2],[7,7]]}, "u": "2/5"})");
+  const auto run = run_of(
+      "de_boor", R"({"curve": {)" + curve + R"(, "points": [[0,0],[1,3],[2,1],[4,2],[5,0],[6,2],[7,7]]}, "u": "2/5"})");
   CHECK(number_of(run, "k") == 4);
   CHECK(number_of(run, "s") == 0);
   CHECK(number_of(run, "alpha[1][4]") == q("1/5"));
@@ -32,7 +35,8 @@ TEST_CASE("Shene, de Boor's algorithm: a cubic on [0, 1] at u = 0.4", "[publishe
   CHECK(number_of(run, "alpha[2][4]") == q("3/10"));
   CHECK(number_of(run, "alpha[2][3]") == q("4/5"));
   CHECK(number_of(run, "alpha[3][4]") == q("3/5"));
-  CHECK(weights_of("de_boor", curve, 7, R"("u": "2/5")", "C") == knots({"0", "2/125", "307/750", "202/375", "9/250", "0", "0"}));
+  CHECK(weights_of("de_boor", curve, 7, R"("u": "2/5")", "C") ==
+        knots({"0", "2/125", "307/750", "202/375", "9/250", "0", "0"}));
 }
 
 TEST_CASE("NB example 4.1: a point on a NURBS curve, at a knot", "[published]") {
@@ -51,7 +55,8 @@ TEST_CASE("NB: the quarter circle with the weights 1, 1, 2", "[published]") {
 }
 
 TEST_CASE("the division by w: right and forgotten", "[published]") {
-  const auto run = run_of("de_casteljau", R"({"curve": {"degree": 2, "points": [[0,0],[0.5,1],[1,0]], "weights": [1,10,1]}, "u": 0.5})");
+  const auto run = run_of(
+      "de_casteljau", R"({"curve": {"degree": 2, "points": [[0,0],[0.5,1],[1,0]], "weights": [1,10,1]}, "u": 0.5})");
   CHECK(point_of(run, "C") == knots({"1/2", "10/11"}));
   const auto top = numbers_of(run, "P[2][0]");
   CHECK(top[0] == q("11/4"));
@@ -76,7 +81,8 @@ TEST_CASE("Shene, knot insertion: t = 0.5 once, twice, three times", "[published
   CHECK(number_of(run, "alpha[2][5]") == q("1/4"));
   CHECK(number_of(run, "alpha[2][4]") == q("3/4"));
   CHECK(number_of(run, "alpha[3][5]") == q("1/2"));
-  CHECK(numbers_of(run, "Ubar") == knots({"0", "0", "0", "0", "0.2", "0.4", "0.5", "0.5", "0.5", "0.6", "0.8", "1", "1", "1", "1"}));
+  CHECK(numbers_of(run, "Ubar") ==
+        knots({"0", "0", "0", "0", "0.2", "0.4", "0.5", "0.5", "0.5", "0.6", "0.8", "1", "1", "1", "1"}));
 }
 
 TEST_CASE("degree elevation: a parabola as a cubic", "[published]") {
@@ -89,8 +95,12 @@ TEST_CASE("degree elevation: a parabola as a cubic", "[published]") {
 
 TEST_CASE("an unclamped quadratic over uniform knots", "[published]") {
   const auto at = [](const char* u) {
-    return point_of(run_of("de_boor", R"({"curve": {"degree": 2, "knots": [0,1,2,3,4,5,6], "points": [[-1,0],[-0.5,0.5],[0.5,-0.5],[1,0]]}, "u": ")" +
-                                          std::string(u) + "\"}"), "C");
+    return point_of(
+        run_of(
+            "de_boor",
+            R"({"curve": {"degree": 2, "knots": [0,1,2,3,4,5,6], "points": [[-1,0],[-0.5,0.5],[0.5,-0.5],[1,0]]}, "u": ")" +
+                std::string(u) + "\"}"),
+        "C");
   };
   CHECK(at("2") == knots({"-0.75", "0.25"}));    // t = 0
   CHECK(at("2.2") == knots({"-0.64", "0.32"}));  // t = 0.1
@@ -105,9 +115,11 @@ Run<Exact> through(const std::vector<std::pair<int, int>>& D, int degree, const 
   std::string profiles;
   for (const auto& [x, y] : D) {
     const std::string xy = std::to_string(x) + ", " + std::to_string(y);
-    profiles += (profiles.empty() ? "" : ", ") + std::string(R"({"degree": 1, "points": [[)") + xy + ", 0], [" + xy + ", 1]]}";
+    profiles +=
+        (profiles.empty() ? "" : ", ") + std::string(R"({"degree": 1, "points": [[)") + xy + ", 0], [" + xy + ", 1]]}";
   }
-  return run_of("skinning", R"({"profiles": [)" + profiles + R"(], "degree_v": )" + std::to_string(degree) + R"(, "parametrization": ")" + parametrization + "\"}");
+  return run_of("skinning", R"({"profiles": [)" + profiles + R"(], "degree_v": )" + std::to_string(degree) +
+                                R"(, "parametrization": ")" + parametrization + "\"}");
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Skinning: every profile is an isoparametric curve of the surface, whatever the profiles are.
 
-#include "algorithms/curves.hpp"
 #include "kernel/skinning.hpp"
+#include "algorithms/curves.hpp"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -69,7 +69,8 @@ void check_profiles(const Profiles& profiles, int degree_v, Parametrization para
       const Exact t = Exact::ratio(i, 12);
       const Exact u = begin + (end - begin) * t;
       const auto S = homogeneous_point(surface, u, v[l]);
-      const auto C = homogeneous_point(profile, profile.domain_begin() + (profile.domain_end() - profile.domain_begin()) * t);
+      const auto C =
+          homogeneous_point(profile, profile.domain_begin() + (profile.domain_end() - profile.domain_begin()) * t);
       if (!v[l].is_approximate() && trace.approximate_values().empty())
         CHECK(S == C);
       else
@@ -87,7 +88,8 @@ Profiles random_profiles(std::mt19937& random, int count) {
   const bool one_domain = random_int(random, 0, 1) == 1;
   for (int l = 0; l < count; ++l) {
     const int p = random_int(random, 1, 3);
-    auto profile = random_curve(random, p, random_int(random, 1, 3), p, random_int(random, 0, 2) > 0, random_int(random, 0, 2) == 0);
+    auto profile = random_curve(random, p, random_int(random, 1, 3), p, random_int(random, 0, 2) > 0,
+                                random_int(random, 0, 2) == 0);
     if (one_domain) {
       const Exact a = profile.domain_begin();
       const Exact b = profile.domain_end();
@@ -136,7 +138,8 @@ TEST_CASE("whole distances keep the surface exact; others are named", "[skinning
     INFO(count << " profiles");
     const auto [surface, trace] = skin_of(profiles, count - 1, Parametrization::chord);
     CHECK(trace.approximate_values().empty());
-    for (int l = 0; l < count; ++l) CHECK(parameters_of(trace, profiles.size())[static_cast<std::size_t>(l)] == Exact::ratio(l, count - 1));
+    for (int l = 0; l < count; ++l)
+      CHECK(parameters_of(trace, profiles.size())[static_cast<std::size_t>(l)] == Exact::ratio(l, count - 1));
     check_profiles(profiles, count - 1, Parametrization::chord);
 
     // The root of 5 is not rational: the square roots of the distances are approximate, and what is made of them.
@@ -159,7 +162,8 @@ TEST_CASE("what an approximate value made is approximate, and nothing before it"
   for (const ValueId v : approximate) {
     INFO(trace.name(v));
     const bool root = trace.value(v).rule == &rule_info<Distance> || trace.value(v).rule == &rule_info<Root>;
-    const bool inherited = std::ranges::any_of(trace.operands(v), [&](ValueId o) { return std::ranges::binary_search(approximate, o); });
+    const bool inherited =
+        std::ranges::any_of(trace.operands(v), [&](ValueId o) { return std::ranges::binary_search(approximate, o); });
     CHECK((root || inherited));
   }
 }
@@ -168,22 +172,30 @@ TEST_CASE("profiles that coincide, and points without a distance, are told", "[s
   auto profiles = moved_by_3_4(3);
   profiles[2] = profiles[1];
   for (const auto way : {Parametrization::chord, Parametrization::centripetal})
-    CHECK(message_of(profiles, way) == "profiles[2]: coincides with the profile before it: neighbouring profiles must differ");
+    CHECK(message_of(profiles, way) ==
+          "profiles[2]: coincides with the profile before it: neighbouring profiles must differ");
   profiles[0] = profiles[1];
-  CHECK(message_of(profiles, Parametrization::chord) == "profiles: all profiles coincide: there is no surface through them");
-  CHECK(message_of({profiles[0], profiles[0]}, Parametrization::chord) == "profiles: all profiles coincide: there is no surface through them");
+  CHECK(message_of(profiles, Parametrization::chord) ==
+        "profiles: all profiles coincide: there is no surface through them");
+  CHECK(message_of({profiles[0], profiles[0]}, Parametrization::chord) ==
+        "profiles: all profiles coincide: there is no surface through them");
 
   profiles = moved_by_3_4(3);
   profiles[1].rational = true;
   profiles[1].points[1] = HPoint<Exact>(0, 0, 0, 0);
-  CHECK(message_of(profiles, Parametrization::chord).find("profiles[1]: a control point of weight 0 has no distance") == 0);
+  CHECK(message_of(profiles, Parametrization::chord).find("profiles[1]: a control point of weight 0 has no distance") ==
+        0);
   check_profiles(profiles, 2, Parametrization::uniform);
 }
 
 TEST_CASE("a degree across that is too high for the profiles is refused", "[skinning]") {
   const auto message = [](int degree_v) {
-    return to_string(inputs_of(*find_algorithm("skinning"), R"({"profiles": [{"degree": 1, "points": [[0,0],[1,0]]}, {"degree": 1, "points": [[0,1],[1,1]]}], "degree_v": )" +
-                                                                std::to_string(degree_v) + "}").diagnostics);
+    return to_string(
+        inputs_of(
+            *find_algorithm("skinning"),
+            R"({"profiles": [{"degree": 1, "points": [[0,0],[1,0]]}, {"degree": 1, "points": [[0,1],[1,1]]}], "degree_v": )" +
+                std::to_string(degree_v) + "}")
+            .diagnostics);
   };
   CHECK(message(1).empty());
   CHECK(message(2).find("degree_v: must be from 1 to 1 (profiles - 1), not 2") != std::string::npos);

@@ -21,8 +21,8 @@ void check_golden(const std::string& name, const std::string& made) {
 }  // namespace
 
 TEST_CASE("Traces as text are the golden ones") {
-  for (const std::string lesson : {"01-de-casteljau", "02-degree-elevation", "03-rational-quarter-circle", "05-de-boor", "09-knot-insertion",
-                                   "11-degree-elevation-bspline"}) {
+  for (const std::string lesson : {"01-de-casteljau", "02-degree-elevation", "03-rational-quarter-circle", "05-de-boor",
+                                   "09-knot-insertion", "11-degree-elevation-bspline"}) {
     const auto ended = blossom::test::blossom({"trace", lesson, "--exact"});
     SHOW(ended);
     CHECK(ended.status == 0);
@@ -40,7 +40,8 @@ TEST_CASE("Traces as text are the golden ones") {
 #if BLOSSOM_PLAYER
 TEST_CASE("A step as SVG is the golden one") {
   const Scratch scratch;
-  const auto ended = blossom::test::blossom({"render", "05-de-boor", "--step", "6", "--exact", "--svg", "--out", scratch.path()});
+  const auto ended =
+      blossom::test::blossom({"render", "05-de-boor", "--step", "6", "--exact", "--svg", "--out", scratch.path()});
   SHOW(ended);
   REQUIRE(ended.status == 0);
   check_golden("de-boor-06.svg", read_all(scratch / "de-boor-06.svg"));

@@ -117,7 +117,8 @@ TEST_CASE("A missing submission is graded 0 and does not stop the others") {
 
 TEST_CASE("A faulty exercise grades nothing, wrong usage is 2, full disks are 3") {
   const Scratch scratch;
-  const auto faulty = run_program("blossom-grade", {scratch.write("e.json", "{\"schema\": \"blossom.exercise/1\"}"), "-"});
+  const auto faulty =
+      run_program("blossom-grade", {scratch.write("e.json", "{\"schema\": \"blossom.exercise/1\"}"), "-"});
   SHOW(faulty);
   CHECK(faulty.status == 1);
   CHECK(faulty.out.empty());
@@ -135,7 +136,8 @@ TEST_CASE("A faulty exercise grades nothing, wrong usage is 2, full disks are 3"
   CHECK(help.status == 0);
   CHECK(contains(help.out, "Examples:"));
   if (access("/dev/full", W_OK) != 0) return;
-  const auto full = run_program("blossom-grade", {exercise, "exercises/demo-class/perfect.json"}, {.output_to = "/dev/full"});
+  const auto full =
+      run_program("blossom-grade", {exercise, "exercises/demo-class/perfect.json"}, {.output_to = "/dev/full"});
   SHOW(full);
   CHECK(full.status == 3);
   CHECK(contains(full.err, "cannot be written"));

@@ -56,8 +56,8 @@ struct Ended {
 };
 
 struct Setting {
-  std::string input = {};          // standard input
-  std::string output_to = {};      // a file for standard output, instead of catching it
+  std::string input = {};      // standard input
+  std::string output_to = {};  // a file for standard output, instead of catching it
 };
 
 // "blossom" or "blossom-grade", in the root of the sources (where `lessons` and `exercises` are).
@@ -99,4 +99,5 @@ inline bool contains(const std::string& text, const std::string& part) { return 
 }  // namespace blossom::test
 
 // Says all of it when a check fails.
-#define SHOW(ended) INFO("status " << (ended).status << "\n--- stdout\n" << (ended).out << "--- stderr\n" << (ended).err)
+#define SHOW(ended) \
+  INFO("status " << (ended).status << "\n--- stdout\n" << (ended).out << "--- stderr\n" << (ended).err)

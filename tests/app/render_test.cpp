@@ -77,7 +77,8 @@ TEST_CASE("render --all draws every step, each its own picture") {
 
 TEST_CASE("render --contact-sheet puts the steps on one picture") {
   const Scratch scratch;
-  const auto ended = render({"01-de-casteljau", "--contact-sheet", scratch / "sheet.png", "--size", "640x480", "--scale", "0.5", "--out", scratch / "each"});
+  const auto ended = render({"01-de-casteljau", "--contact-sheet", scratch / "sheet.png", "--size", "640x480",
+                             "--scale", "0.5", "--out", scratch / "each"});
   SHOW(ended);
   CHECK(ended.status == 0);
   CHECK(contains(ended.out, scratch / "sheet.png"));
@@ -102,11 +103,11 @@ TEST_CASE("render in each theme is a picture of its own") {
 TEST_CASE("render says every wrong option before it draws") {
   const Scratch scratch;
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
-      {{"05", "--theme", "sepia"}, "sepia"},       {{"05", "--size", "12"}, "12"},
-      {{"05", "--size", "100x100"}, "480x360"},    {{"05", "--size", "640x480x3"}, "640x480x3"},
+      {{"05", "--theme", "sepia"}, "sepia"},        {{"05", "--size", "12"}, "12"},
+      {{"05", "--size", "100x100"}, "480x360"},     {{"05", "--size", "640x480x3"}, "640x480x3"},
       {{"05", "--size", "99999x480"}, "99999x480"}, {{"05", "--scale", "0"}, "--scale"},
-      {{"05", "--step", "-1"}, "--step"},          {{"05", "--step", "two"}, "--step"},
-      {{"05", "--context", "metal"}, "metal"},     {{}, "LESSON"}};
+      {{"05", "--step", "-1"}, "--step"},           {{"05", "--step", "two"}, "--step"},
+      {{"05", "--context", "metal"}, "metal"},      {{}, "LESSON"}};
   for (auto [arguments, words] : cases) {
     arguments.insert(arguments.end(), {"--out", scratch / "out"});
     const auto ended = render(arguments);
@@ -137,8 +138,10 @@ TEST_CASE("Pictures that cannot be written have status 3, and nothing half-writt
   const Scratch scratch;
   const auto file = scratch.write("file", "in the way");
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"01", "--step", "1", "--out", file + "/sub"}, {"01", "--svg", "--step", "1", "--out", file},
-        {"01", "--contact-sheet", scratch / "none/sheet.png", "--size", "640x480", "--scale", "0.25", "--out", scratch / "each"}}) {
+       {std::vector<std::string>{"01", "--step", "1", "--out", file + "/sub"},
+        {"01", "--svg", "--step", "1", "--out", file},
+        {"01", "--contact-sheet", scratch / "none/sheet.png", "--size", "640x480", "--scale", "0.25", "--out",
+         scratch / "each"}}) {
     const auto ended = render(arguments);
     SHOW(ended);
     CHECK(ended.status == 3);
@@ -156,8 +159,9 @@ TEST_CASE("Pictures that cannot be written have status 3, and nothing half-writt
 
 TEST_CASE("render draws what standard input describes") {
   const Scratch scratch;
-  const auto ended = render({"--algorithm", "de_casteljau", "--inputs", "-", "--exact", "--svg", "--out", scratch.path()},
-                            {.input = R"({"curve": {"degree": 2, "points": [[0, 0], [1, 2], [2, 0]]}, "u": "1/3"})"});
+  const auto ended =
+      render({"--algorithm", "de_casteljau", "--inputs", "-", "--exact", "--svg", "--out", scratch.path()},
+             {.input = R"({"curve": {"degree": 2, "points": [[0, 0], [1, 2], [2, 0]]}, "u": "1/3"})"});
   SHOW(ended);
   CHECK(ended.status == 0);
   const auto names = files_in(scratch.path());

@@ -119,9 +119,12 @@ void json_read(benchmark::State& state, const char* id, const char* inputs) {
 
 template <class Run>
 void add(const std::string& name, Run run) {
-  benchmark::RegisterBenchmark((name + "/unrecorded").c_str(), [run](benchmark::State& state) { unrecorded(state, run); });
-  benchmark::RegisterBenchmark((name + "/recorded/reused").c_str(), [run](benchmark::State& state) { recorded(state, true, run); });
-  benchmark::RegisterBenchmark((name + "/recorded/growing").c_str(), [run](benchmark::State& state) { recorded(state, false, run); });
+  benchmark::RegisterBenchmark((name + "/unrecorded").c_str(),
+                               [run](benchmark::State& state) { unrecorded(state, run); });
+  benchmark::RegisterBenchmark((name + "/recorded/reused").c_str(),
+                               [run](benchmark::State& state) { recorded(state, true, run); });
+  benchmark::RegisterBenchmark((name + "/recorded/growing").c_str(),
+                               [run](benchmark::State& state) { recorded(state, false, run); });
 }
 
 constexpr const char* cubic = R"({"curve": {"degree": 3, "knots": [0,0,0,0,0.25,0.5,0.75,1,1,1,1],
@@ -135,10 +138,14 @@ const int registered = [] {
   add("de_boor/10", [curve = curve_of(10, 3, false)](auto& rec) { return de_boor(curve, 3.3, rec); });
   add("de_boor/10/nurbs", [curve = curve_of(10, 3, true)](auto& rec) { return de_boor(curve, 3.3, rec); });
   add("de_casteljau/degree_10", [curve = curve_of(11, 10, false)](auto& rec) { return de_casteljau(curve, 0.3, rec); });
-  add("knot_insertion/100", [curve = curve_of(100, 3, false)](auto& rec) { return knot_insertion(curve, 43.21, 1, rec); });
+  add("knot_insertion/100",
+      [curve = curve_of(100, 3, false)](auto& rec) { return knot_insertion(curve, 43.21, 1, rec); });
   add("degree_elevation/100", [curve = curve_of(100, 3, false)](auto& rec) { return degree_elevation(curve, 1, rec); });
-  add("skinning/20x30", [profiles = profiles_of(20, 30, true)](auto& rec) { return skinning(profiles, 3, Parametrization::chord, rec); });
-  add("skinning/20x30/incompatible", [profiles = profiles_of(20, 30, false)](auto& rec) { return skinning(profiles, 3, Parametrization::chord, rec); });
+  add("skinning/20x30",
+      [profiles = profiles_of(20, 30, true)](auto& rec) { return skinning(profiles, 3, Parametrization::chord, rec); });
+  add("skinning/20x30/incompatible", [profiles = profiles_of(20, 30, false)](auto& rec) {
+    return skinning(profiles, 3, Parametrization::chord, rec);
+  });
   benchmark::RegisterBenchmark("trace_json/write/de_boor", json, "de_boor", cubic);
   benchmark::RegisterBenchmark("trace_json/write/skinning", json, "skinning", lofted);
   benchmark::RegisterBenchmark("trace_json/read/de_boor", json_read, "de_boor", cubic);

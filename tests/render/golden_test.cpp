@@ -18,15 +18,16 @@ struct Golden {
   const char* theme;
 };
 constexpr Golden goldens[] = {
-    {"de-casteljau", "P[2][0]", "light"}, {"de-boor", "P[1][3]", "light"},      {"knot-insertion", "", "light"},
-    {"degree-elevation", "", "light"},    {"skinning", "", "light"},            {"de-boor-nurbs", "", "dark"},
+    {"de-casteljau", "P[2][0]", "light"},        {"de-boor", "P[1][3]", "light"}, {"knot-insertion", "", "light"},
+    {"degree-elevation", "", "light"},           {"skinning", "", "light"},       {"de-boor-nurbs", "", "dark"},
     {"rational-quarter-circle", "", "contrast"},
 };
 
 Scene golden_scene(const Golden& golden) {
   const auto lesson = prepare<Exact>(golden.lesson);
   const std::string name = golden.value;
-  const std::uint32_t step = name.empty() ? lesson->step_count() - 1 : lesson->run.trace.value(lesson->run.trace.find(name).value()).step;
+  const std::uint32_t step =
+      name.empty() ? lesson->step_count() - 1 : lesson->run.trace.value(lesson->run.trace.find(name).value()).step;
   return lesson->page(step, width, height);
 }
 
@@ -42,7 +43,7 @@ int block_difference(const Image& a, const Image& b) {
   if (a.width != b.width || a.height != b.height) return 255;
   return difference(downscale(a, a.width / 8, a.height / 8), downscale(b, b.width / 8, b.height / 8)).max;
 }
-constexpr int tolerated = 12;
+constexpr int tolerated = 24;
 
 }  // namespace
 
@@ -59,7 +60,7 @@ TEST_CASE("The golden pictures") {
     const auto kept = read_png(file);
     INFO(to_string(kept.diagnostics));
     REQUIRE(kept);
-    CHECK(difference(made, *kept).mean < 1);
+    CHECK(difference(made, *kept).mean < 2);
     CHECK(block_difference(made, *kept) <= tolerated);
   }
 }
@@ -79,22 +80,32 @@ TEST_CASE("The comparison with golden pictures sees a missing label, line and ma
     for (std::size_t i = 0; i < picture.labels.size(); ++i) {
       if (picture.labels[i].optional) continue;
       INFO("label " << plain_text(picture.labels[i].text));
-      CHECK(without([&](View& view) { view.labels.erase(view.labels.begin() + static_cast<std::ptrdiff_t>(i)); }) > tolerated);
+      CHECK(without([&](View& view) { view.labels.erase(view.labels.begin() + static_cast<std::ptrdiff_t>(i)); }) >
+            tolerated);
       ++names;
     }
     CHECK(names > 0);
-    CHECK(without([](View& view) { std::erase_if(view.polylines, [](const Polyline& line) { return line.role == Role::curve; }); }) > tolerated);
-    CHECK(without([](View& view) { std::erase_if(view.markers, [](const Marker& marker) { return marker.role == Role::current; }); }) > tolerated);
+    CHECK(without([](View& view) {
+            std::erase_if(view.polylines, [](const Polyline& line) { return line.role == Role::curve; });
+          }) > tolerated);
+    CHECK(without([](View& view) {
+            std::erase_if(view.markers, [](const Marker& marker) { return marker.role == Role::current; });
+          }) > tolerated);
   }
 }
 
 TEST_CASE("The comparison with golden pictures forgives another anti-aliasing") {
-  const Scene scene = golden_scene(goldens[1]);
-  const Image whole = draw(scene, "light");
-  // The same picture drawn at three times the size and averaged: every edge is smoothed otherwise.
-  auto large = draw_image(scene, light_theme(), 3 * scale);
-  REQUIRE(large);
-  const Image smooth = downscale(*large, whole.width, whole.height);
-  CHECK(difference(whole, smooth).max > 30);
-  CHECK(block_difference(whole, smooth) <= tolerated);
+  for (const Golden& golden : goldens) {
+    INFO(golden.lesson);
+    const Scene scene = golden_scene(golden);
+    const Image whole = draw(scene, golden.theme);
+    // The same picture drawn at twice the size and averaged: every edge is smoothed otherwise, every letter stands
+    // elsewhere by a part of a pixel.
+    auto large = draw_image(scene, **find_theme(golden.theme), 2 * scale);
+    REQUIRE(large);
+    const Image smooth = downscale(*large, whole.width, whole.height);
+    CHECK(difference(whole, smooth).max > 30);
+    CHECK(difference(whole, smooth).mean < 2);
+    CHECK(block_difference(whole, smooth) <= tolerated);
+  }
 }

@@ -27,13 +27,17 @@ class TextRecorder final : public Canvas {
   void polyline(std::span<const PixelPoint>, bool, const Stroke&) override {}
   void polygon(std::span<const PixelPoint>, Color) override {}
   void marker(const PixelPoint&, Marker::Shape, const MarkerPaint&) override {}
-  void triangles(std::span<const PixelPoint>, std::span<const Color>, std::span<const std::uint32_t>, double) override {}
+  void triangles(std::span<const PixelPoint>, std::span<const Color>, std::span<const std::uint32_t>, double) override {
+  }
   void text(std::span<const GlyphRun> runs, const TextPaint&) override {
     for (const GlyphRun& run : runs) {
       double right = run.x;
-      for_each_glyph(fonts_, run, [&](char32_t c, double pen) { right = pen + fonts_.advance(run.style, c) * run.size; });
-      texts.push_back({run.text, static_cast<int>(views.size()) - 1,
-                       {run.x, run.baseline - Fonts::ascent * run.size, right - run.x, (Fonts::ascent + Fonts::descent) * run.size}});
+      for_each_glyph(fonts_, run,
+                     [&](char32_t c, double pen) { right = pen + fonts_.advance(run.style, c) * run.size; });
+      texts.push_back({run.text,
+                       static_cast<int>(views.size()) - 1,
+                       {run.x, run.baseline - Fonts::ascent * run.size, right - run.x,
+                        (Fonts::ascent + Fonts::descent) * run.size}});
     }
   }
   void finish() override {}
@@ -46,19 +50,21 @@ class TextRecorder final : public Canvas {
 };
 
 bool inside(const PixelRect& box, const PixelRect& of, double slack) {
-  return box.x >= of.x - slack && box.y >= of.y - slack && box.right() <= of.right() + slack && box.bottom() <= of.bottom() + slack;
+  return box.x >= of.x - slack && box.y >= of.y - slack && box.right() <= of.right() + slack &&
+         box.bottom() <= of.bottom() + slack;
 }
 
 // Boxes that share more than a sliver: `slack` units in both directions.
 bool overlap(const PixelRect& a, const PixelRect& b, double slack) {
-  return std::min(a.right(), b.right()) - std::max(a.x, b.x) > slack && std::min(a.bottom(), b.bottom()) - std::max(a.y, b.y) > slack;
+  return std::min(a.right(), b.right()) - std::max(a.x, b.x) > slack &&
+         std::min(a.bottom(), b.bottom()) - std::max(a.y, b.y) > slack;
 }
 
-constexpr std::pair<double, double> sizes[] = {{640, 480}, {1120, 700}, {1920, 1080}};
+constexpr std::pair<double, double> sizes[] = {{480, 360}, {640, 480}, {1120, 700}, {1920, 1080}};
 
 // Every mistake of a kind once per lesson, size and words: a thousand steps often share one.
 template <class Check>
-void for_each_painted_page(Check&& check) {
+void for_each_painted_page(std::string_view theme, Check&& check) {
   const auto fonts = Fonts::load();
   REQUIRE(fonts);
   for (const auto& entry : shipped_lessons().lessons) {
@@ -68,8 +74,8 @@ void for_each_painted_page(Check&& check) {
       for (std::uint32_t step = 0; step < lesson->step_count(); ++step) {
         TextRecorder canvas(**fonts);
         const Scene scene = lesson->page(step, width, height);
-        paint(scene, light_theme(), **fonts, canvas, 1);
-        INFO(lesson->name << ", step " << step << ", " << width << " x " << height);
+        INFO(lesson->name << ", step " << step << ", " << width << " x " << height << ", " << theme);
+        paint(scene, **find_theme(theme), **fonts, canvas, 1);
         REQUIRE(canvas.views.size() == scene.views.size());
         check(scene, canvas, told);
       }
@@ -80,19 +86,21 @@ void for_each_painted_page(Check&& check) {
 }  // namespace
 
 TEST_CASE("No text of a page is cut off") {
-  for_each_painted_page([](const Scene&, const TextRecorder& canvas, std::set<std::string>& told) {
+  const auto theme = GENERATE(from_range(theme_names()));
+  for_each_painted_page(theme, [](const Scene&, const TextRecorder& canvas, std::set<std::string>& told) {
     for (const auto& text : canvas.texts) {
       const auto& view = canvas.views[static_cast<std::size_t>(text.view)];
       if (inside(text.box, view, 1) || !told.insert(text.words).second) continue;
-      FAIL_CHECK("\"" << text.words << "\" at (" << text.box.x << ", " << text.box.y << ") to (" << text.box.right() << ", "
-                      << text.box.bottom() << ") leaves its view (" << view.x << ", " << view.y << ") to (" << view.right() << ", "
-                      << view.bottom() << ")");
+      FAIL_CHECK("\"" << text.words << "\" at (" << text.box.x << ", " << text.box.y << ") to (" << text.box.right()
+                      << ", " << text.box.bottom() << ") leaves its view (" << view.x << ", " << view.y << ") to ("
+                      << view.right() << ", " << view.bottom() << ")");
     }
   });
 }
 
 TEST_CASE("The text of a panel runs into no other text") {
-  for_each_painted_page([](const Scene& scene, const TextRecorder& canvas, std::set<std::string>& told) {
+  const auto theme = GENERATE(from_range(theme_names()));
+  for_each_painted_page(theme, [](const Scene& scene, const TextRecorder& canvas, std::set<std::string>& told) {
     for (std::size_t a = 0; a < canvas.texts.size(); ++a) {
       for (std::size_t b = a + 1; b < canvas.texts.size(); ++b) {
         const auto &first = canvas.texts[a], &second = canvas.texts[b];
@@ -103,8 +111,8 @@ TEST_CASE("The text of a panel runs into no other text") {
         if (first.view == second.view && !on_page(first)) continue;
         // A sub- and a superscript, and the descenders of one line with the ascenders of the next, share a sliver.
         if (!overlap(first.box, second.box, 3.5) || !told.insert(first.words + "|" + second.words).second) continue;
-        FAIL_CHECK("\"" << first.words << "\" (view " << first.view << ") and \"" << second.words << "\" (view " << second.view
-                        << ") at (" << second.box.x << ", " << second.box.y << ")");
+        FAIL_CHECK("\"" << first.words << "\" (view " << first.view << ") and \"" << second.words << "\" (view "
+                        << second.view << ") at (" << second.box.x << ", " << second.box.y << ")");
       }
     }
   });

@@ -106,9 +106,11 @@ TEST_CASE("The triangular scheme has the values made so far, and a blank for eac
       INFO(graph.name(v));
       CHECK(shows(view, typeset_name(graph.value(v).name, *lesson.source.algorithm)) == is_made);
     }
-    CHECK(std::ranges::count(view.polygons, Role::rule_line, &Polygon::role) == static_cast<std::ptrdiff_t>(cells.size() - made));
+    CHECK(std::ranges::count(view.polygons, Role::rule_line, &Polygon::role) ==
+          static_cast<std::ptrdiff_t>(cells.size() - made));
     const ValueId main = graph.main_value(step);
-    CHECK(std::ranges::count(view.polygons, Role::current, &Polygon::role) == (cells.contains(main) && !graph.is_input(main) ? 1 : 0));
+    CHECK(std::ranges::count(view.polygons, Role::current, &Polygon::role) ==
+          (cells.contains(main) && !graph.is_input(main) ? 1 : 0));
   });
   CHECK(schemes > 50);
 }
@@ -150,7 +152,8 @@ TEST_CASE("The knot line marks each knot once, with its multiplicity") {
     const double first = multiplicity.begin()->first, last = multiplicity.rbegin()->first;
     for (const auto& [u, times] : multiplicity) {
       CHECK(shows(view, std::to_string(times) + "(" + format_short(u, 3) + ")"));
-      CHECK((*place++ - places.front()) / (places.back() - places.front()) == Approx((u - first) / (last - first)).margin(1e-12));
+      CHECK((*place++ - places.front()) / (places.back() - places.front()) ==
+            Approx((u - first) / (last - first)).margin(1e-12));
     }
   }
   CHECK(lines >= 4);
@@ -167,7 +170,7 @@ TEST_CASE("The formula panel gives what the step makes, with names, with numbers
   INFO(all);
   CHECK(all.find("P2(1) = (0, 16)") != std::string::npos);  // the published value of this example
   CHECK(all.find("(1 - 4/5) (0, 0) + 4/5 (0, 20)") != std::string::npos);
-  CHECK(all.find("b(0, 1/4, 2/5)") != std::string::npos);  // between b(0, 0, 1/4) and b(0, 1/4, 1/2)
+  CHECK(all.find("b(0, 1/4, 2/5)") != std::string::npos);            // between b(0, 0, 1/4) and b(0, 1/4, 1/2)
   CHECK(add_formula(view, lesson->source, 0, 0, 0, 600, 400) == 0);  // the step that shows the inputs makes nothing
 
   // With less room the last of it is left out, and nothing reaches beyond.

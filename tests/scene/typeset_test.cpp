@@ -13,9 +13,12 @@ namespace {
 std::string marked(const RichText& runs) {
   std::string text;
   for (const TextRun& run : runs) {
-    if (run.level == TextRun::Level::sub) text += "_{" + run.text + "}";
-    else if (run.level == TextRun::Level::super) text += "^{" + run.text + "}";
-    else text += run.italic ? "*" + run.text + "*" : run.text;
+    if (run.level == TextRun::Level::sub)
+      text += "_{" + run.text + "}";
+    else if (run.level == TextRun::Level::super)
+      text += "^{" + run.text + "}";
+    else
+      text += run.italic ? "*" + run.text + "*" : run.text;
   }
   return text;
 }
@@ -26,7 +29,9 @@ const Algorithm& algorithm(std::string_view id) {
   return *found;
 }
 
-std::string set(std::string_view text, std::string_view id = "de_boor") { return marked(typeset_text(text, algorithm(id))); }
+std::string set(std::string_view text, std::string_view id = "de_boor") {
+  return marked(typeset_text(text, algorithm(id)));
+}
 std::string set_name(const Name& name, std::string_view id) { return marked(typeset_name(name, algorithm(id))); }
 
 }  // namespace
@@ -46,7 +51,8 @@ TEST_CASE("Other names have all their indices below, or none") {
 }
 
 TEST_CASE("Names in running text are set, the words around them are left alone") {
-  CHECK(set("Divide P[0][1] and P[0][2] at alpha[1][2] = 4/5.") == "Divide *P*_{1} and *P*_{2} at *α*_{2}^{(1)} = 4/5.");
+  CHECK(set("Divide P[0][1] and P[0][2] at alpha[1][2] = 4/5.") ==
+        "Divide *P*_{1} and *P*_{2} at *α*_{2}^{(1)} = 4/5.");
   CHECK(set("P[r][i] = (1-alpha[r][i]) P[r-1][i-1]") == "*P*_{i}^{(r)} = (1-*α*_{i}^{(r)}) *P*_{i-1}^{(r-1)}");
   CHECK(set("u lies in [u_k, u_{k+1}), so k = 4") == "*u* lies in [*u*_{k}, *u*_{k+1}), so *k* = 4");
   CHECK(set("(u_{i+p-r+1} - u_i)") == "(*u*_{i+p-r+1} - *u*_{i})");
@@ -73,7 +79,8 @@ TEST_CASE("The scope of a name is left out: the picture shows which part is mean
 }
 
 TEST_CASE("Text that goes in comes out, whatever it is") {
-  for (const std::string text : {"u_", "u_{", "u_}", "P[", "P[]", "P[1", "P[1]]", "P[1][2][3]", "alpha", "\xff\xfe u", "_u_"}) {
+  for (const std::string text :
+       {"u_", "u_{", "u_}", "P[", "P[]", "P[1", "P[1]]", "P[1][2][3]", "alpha", "\xff\xfe u", "_u_"}) {
     INFO(text);
     std::string letters;
     for (const TextRun& run : typeset_text(text, algorithm("de_boor"))) letters += run.text;

@@ -12,7 +12,9 @@ using namespace blossom::test;
 
 namespace {
 
-constexpr auto is_finite = [](const glm::dvec3& at) { return std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z); };
+constexpr auto is_finite = [](const glm::dvec3& at) {
+  return std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z);
+};
 
 bool has_marker(const View& view, const glm::dvec3& at, Role role) {
   return std::ranges::any_of(view.markers, [&](const Marker& m) { return m.position == at && m.role == role; });
@@ -23,7 +25,8 @@ bool has_marker(const View& view, const glm::dvec3& at) {
 
 std::vector<Polyline> lines_of(const View& view, Role role) {
   std::vector<Polyline> found;
-  std::ranges::copy_if(view.polylines, std::back_inserter(found), [&](const Polyline& line) { return line.role == role; });
+  std::ranges::copy_if(view.polylines, std::back_inserter(found),
+                       [&](const Polyline& line) { return line.role == role; });
   return found;
 }
 
@@ -68,7 +71,8 @@ TEST_CASE("Every place in a viewport is finite") {
   for_each_step<double>([](const auto& lesson, std::uint32_t step) {
     const View view = lesson.scenes.viewport(step, 700, 500);
     bool all = is_finite(view.camera.centre) && std::isfinite(view.camera.height) && view.camera.height > 0;
-    for (const auto& line : view.polylines) all = all && std::ranges::all_of(line.points, is_finite) && line.points.size() > 1;
+    for (const auto& line : view.polylines)
+      all = all && std::ranges::all_of(line.points, is_finite) && line.points.size() > 1;
     for (const auto& marker : view.markers) all = all && is_finite(marker.position);
     for (const auto& label : view.labels) all = all && is_finite(label.anchor) && !plain_text(label.text).empty();
     for (const auto& mesh : view.meshes) {

@@ -39,7 +39,8 @@ TEST_CASE("numbers, operands and lives of values", "[trace]") {
   const ValueId C = *trace.find("inner[7].C");
   CHECK(trace.value(C).kind == ValueKind::point);
   CHECK(std::ranges::equal(trace.numbers(C), std::vector<double>{1, 2, 0, 1}));
-  CHECK(std::ranges::equal(trace.operands(C), std::vector<ValueId>{*trace.find("x"), *trace.find("P[0]"), *trace.find("P[1]")}));
+  CHECK(std::ranges::equal(trace.operands(C),
+                           std::vector<ValueId>{*trace.find("x"), *trace.find("P[0]"), *trace.find("P[1]")}));
   CHECK(trace.retired_at(*trace.find("a")) == 3);
   CHECK(trace.retired_at(C) == absent);
   CHECK(trace.alive(*trace.find("a"), 2));

@@ -145,7 +145,8 @@ TEST_CASE("times and speeds that are none change nothing", "[timeline]") {
   Timeline timeline(trace);
   timeline.play();
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (const double seconds : {0.0, -1.0, infinity, std::numeric_limits<double>::quiet_NaN()}) CHECK(!timeline.advance(seconds));
+  for (const double seconds : {0.0, -1.0, infinity, std::numeric_limits<double>::quiet_NaN()})
+    CHECK(!timeline.advance(seconds));
   for (const double speed : {0.0, -2.0, infinity, std::numeric_limits<double>::quiet_NaN()}) timeline.set_speed(speed);
   CHECK(timeline.speed() == 1);
   CHECK(timeline.position() == 0);

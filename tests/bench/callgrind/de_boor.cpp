@@ -1,7 +1,8 @@
 // Recording costs nothing where nobody records: de Boor's algorithm through the kernel's template with NoRecorder, and
 // the same loop written by hand, as two functions whose instructions callgrind counts:
 //
-//   g++ -std=c++20 -O3 -DNDEBUG -ffp-contract=off -DGLM_FORCE_XYZW_ONLY -Iengine tests/bench/callgrind/de_boor.cpp -o de_boor
+//   g++ -std=c++20 -O3 -DNDEBUG -ffp-contract=off -DGLM_FORCE_XYZW_ONLY -Iengine tests/bench/callgrind/de_boor.cpp -o
+//   de_boor
 //       (and the libraries of base, for the numbers' text)
 //   valgrind --tool=callgrind --callgrind-out-file=out ./de_boor
 //   callgrind_annotate --inclusive=yes out | grep point_by
@@ -37,7 +38,8 @@ using namespace blossom;
       const int i = first + j;
       const double a = (u - U[i]) / (U[i + p - r + 1] - U[i]);
       const double b = 1 - a;
-      const HPoint<double> Q(b * before.x + a * P[j].x, b * before.y + a * P[j].y, b * before.z + a * P[j].z, b * before.w + a * P[j].w);
+      const HPoint<double> Q(b * before.x + a * P[j].x, b * before.y + a * P[j].y, b * before.z + a * P[j].z,
+                             b * before.w + a * P[j].w);
       before = P[j];
       P[j] = Q;
     }
