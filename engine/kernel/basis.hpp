@@ -96,8 +96,8 @@ inline void basis_on_span(const S* Uk, int degree, const S& u, S* N) {
   }
 }
 
-// Row j = 0..d <= p of `ders` (p + 1 values each) receives the j-th derivatives of N_{k-p..k, p} at u. Equation 2.9, applied
-// j times: N^(j)_{i,q} = q (N^(j-1)_{i,q-1} / (u_{i+q} - u_i) - N^(j-1)_{i+1,q-1} / (u_{i+q+1} - u_{i+1})).
+// Row j = 0..d of `ders` (p + 1 values each) receives the j-th derivatives of N_{k-p..k, p} at u, d <= p. Equation 2.9,
+// applied j times: N^(j)_{i,q} = q (N^(j-1)_{i,q-1} / (u_{i+q} - u_i) - N^(j-1)_{i+1,q-1} / (u_{i+q+1} - u_{i+1})).
 template <int P, Scalar S>
 inline void basis_derivatives_on_span(const S* Uk, int degree, const S& u, int d, const S* R, S* ders) {
   const int p = P > 0 ? P : degree;

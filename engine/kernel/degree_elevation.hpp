@@ -84,6 +84,14 @@ std::vector<int> span_begins(const Knots& U, int p) {
   return begins;
 }
 
+// The knots seen from one span, [u_a, u_{a+1}]: u_a p + 1 times, then those behind.
+template <class Knots>
+struct Window {
+  const Knots& U;
+  int a, p;
+  auto operator[](int i) const { return U[i <= p ? a : a + i - p]; }
+};
+
 template <class R>
 using PointCells = Cells<HPoint<typename R::Number>, typename R::Id>;
 
@@ -119,7 +127,6 @@ PointCells<R> decompose(R& rec, const CurveIn& curve, const std::vector<int>& be
   }
 
   int shift = a0 - s;  // where W_0 stands in the curve refined so far
-  Cells<S, Id> L;      // the window's own knots: a (p + 1 times), v_1, ..., v_p
   for (std::size_t part = 0; part < begins.size(); ++part) {
     const int a = begins[part];
     s = multiplicity_from(a + 1, 1);
@@ -130,10 +137,7 @@ PointCells<R> decompose(R& rec, const CurveIn& curve, const std::vector<int>& be
     entry(right, 0) = entry(row, p - s);
     if (s < p) {
       auto phase = rec.phase({"knot", static_cast<int>(part) + 1, true, "knot_insertion"});
-      L = {};
-      L.reserve(2 * p + 1);
-      for (int i = 0; i <= p; ++i) L.push_back(U[a]);
-      for (int i = 1; i <= p; ++i) L.push_back(U[a + i]);
+      const Window<std::remove_cvref_t<decltype(U)>> L{U, a, p};
       triangle(rec, L, parameter(a + 1), row, p, s, p, p - s, {"Q"_v, shift, true},
                [&](int r) { entry(right, r) = entry(row, p - s); });
     }
@@ -217,7 +221,9 @@ PointCells<R> recompose(R& rec, const PointCells<R>& E, const Knots& U, const st
   TriangleRow<R> row;
   std::array<int, max_degree + 1> others{};  // arguments that are no end of the segment, as indices into U
   int first_part = 0;
+  int first_in_U = 0;  // the first knot of U that is not below v_{j+1}
   for (int j = 0; j < count; ++j) {
+    while (U[first_in_U].value < knot(j + 1)) ++first_in_U;
     while (first_part + 1 < parts && begin_of(first_part).value < knot(j)) ++first_part;
     int last_part = first_part;
     while (last_part + 1 < parts && !(knot(j + q + 1) < end_of(last_part + 1).value)) ++last_part;
@@ -235,12 +241,11 @@ PointCells<R> recompose(R& rec, const PointCells<R>& E, const Knots& U, const st
     const auto b = end_of(best);
     int at_b = 0;
     int extra = 0;
-    int in_U = 0;
+    int in_U = first_in_U;
     for (int i = j + 1; i <= j + q; ++i) {
       if (knot(i) == b.value) {
         ++at_b;
       } else if (!(knot(i) == a.value)) {
-        if (extra == 0) in_U = static_cast<int>(std::lower_bound(U.values().begin(), U.values().end(), knot(i)) - U.values().begin());
         while (U[in_U].value < knot(i)) ++in_U;
         others[static_cast<std::size_t>(extra++)] = in_U;
       }

@@ -54,9 +54,10 @@ MadeCurve<R> insert_knot(R& rec, const CurveIn& curve, const KnotList& knots, co
   made.dimension = curve.dimension;
   made.rational = curve.rational;
   auto& Q = made.P;
-  Q.resize(P.size() + h);
-  for (int i = 0; i < first; ++i) Q.set(i, P[i]);
-  for (int i = last; i < P.size(); ++i) Q.set(i + h, P[i]);
+  Q.reserve(P.size() + h);
+  Q.append(P, 0, first);
+  Q.resize(last + h);  // what the triangle makes
+  Q.append(P, last, P.size() - last);
 
   TriangleRow<R> row;
   for (int j = 0; j <= width; ++j) row[static_cast<std::size_t>(j)] = {P[first + j].value, P[first + j].id};
@@ -68,9 +69,9 @@ MadeCurve<R> insert_knot(R& rec, const CurveIn& curve, const KnotList& knots, co
   const auto Ubar = rec.apply(InsertKnot{}, "Ubar"_v, u, times, knots);
   auto& V = made.U;
   V.reserve(static_cast<int>(Ubar.value.size()));
-  for (int i = 0; i <= k.value; ++i) V.push_back(U[i]);
+  V.append(U, 0, k.value + 1);
   for (int r = 0; r < h; ++r) V.push_back(Ref<S, typename R::Id>{u.value, u.id});
-  for (int i = k.value + 1; i < U.size(); ++i) V.push_back(U[i]);
+  V.append(U, k.value + 1, U.size() - k.value - 1);
   return made;
 }
 

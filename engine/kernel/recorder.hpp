@@ -131,6 +131,14 @@ class Cells {
     values_.push_back(v.value);
     if constexpr (traced) ids_.push_back(v.id);
   }
+  // from[first] .. from[first+count-1]; From: Givens or Cells.
+  template <class From>
+  void append(const From& from, int first, int count) {
+    const auto added = from.values().subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
+    values_.insert(values_.end(), added.begin(), added.end());
+    if constexpr (traced)
+      for (int i = first; i < first + count; ++i) ids_.push_back(from[i].id);
+  }
   template <class V>
   void set(int i, const V& v) {
     values_[static_cast<std::size_t>(i)] = v.value;

@@ -321,6 +321,31 @@ TEST_CASE("lint knows traces and surfaces, too") {
   CHECK(contains(ended.err, "blond"));
 }
 
+TEST_CASE("lint checks the form of answers, and their names against the exercise") {
+  const auto good = blossom::test::blossom({"lint", "exercises/demo-class/perfect.json"});
+  SHOW(good);
+  CHECK(good.status == 0);
+  const Scratch scratch;
+  const auto ended = blossom::test::blossom({"lint", scratch.write("answers.json", R"({
+  "schema": "blossom.answers/1",
+  "exercise": "de-boor",
+  "answers": {
+    "k": true,
+    "P[1][2]": [0, "1/0"],
+    "P[3][3]": [0, 1],
+    "alpha[1][2]": {"sett": [0, 1]},
+    "P[1][3]": [0, "1/2"]
+  },
+  "name": "Ada"
+})")});
+  SHOW(ended);
+  CHECK(ended.status == 1);
+  for (const auto* place : {":5:10: ", ":6:20: ", ":7:5: ", ":8:20: ", ":11:3: "})
+    CHECK(contains(ended.err, "answers.json" + std::string(place)));
+  CHECK(contains(ended.err, "does not ask for \"P[3][3]\"; did you mean"));
+  CHECK_FALSE(contains(ended.err, "answers.json:9"));
+}
+
 // ---- play -----------------------------------------------------------------------------------------------------------
 
 namespace {

@@ -91,6 +91,16 @@ TEST_CASE("The pseudo-code is all there, its current line marked") {
   });
 }
 
+TEST_CASE("A page of the usual size has all of the pseudo-code") {
+  for_each_step<double>([](const auto& lesson, std::uint32_t step) {
+    const Scene scene = lesson.page(step);
+    for (const auto text : lesson.source.algorithm_at(step).pseudo_code) {
+      INFO(text);
+      CHECK(shows(scene.views[2], std::string(text)));
+    }
+  });
+}
+
 TEST_CASE("The triangular scheme has the values made so far, and a blank for each to come") {
   int schemes = 0;
   for_each_step<double>([&](const auto& lesson, std::uint32_t step) {

@@ -18,14 +18,6 @@ using peers::Entry;
 
 bool is_blossom(const std::string& who) { return who == blossom_plain || who == blossom_evaluator; }
 
-// One after the other, each once, in the order of `entries`, Blossom's first.
-std::vector<std::string> distinct(std::string Entry::* member) {
-  std::vector<std::string> found;
-  for (const Entry& entry : entries()) {
-    if (std::find(found.begin(), found.end(), entry.*member) == found.end()) found.push_back(entry.*member);
-  }
-  return found;
-}
 
 bool agrees(const std::vector<double>& values, const std::vector<double>& expected) {
   constexpr double tolerance = 1e-9;  // of the value, or of 1
@@ -70,6 +62,16 @@ class Collector : public benchmark::BenchmarkReporter {
     }
   }
 
+  // The rows or programs measured, each once, in the order of the entries.
+  std::vector<std::string> measured(std::string Entry::* member) const {
+    std::vector<std::string> found;
+    for (const Entry& entry : entries()) {
+      if (median({entry.row, entry.who}) == 0) continue;
+      if (std::find(found.begin(), found.end(), entry.*member) == found.end()) found.push_back(entry.*member);
+    }
+    return found;
+  }
+
   // 0 where nothing was measured.
   double median(const Key& key) const {
     const auto found = times_.find(key);
@@ -104,24 +106,24 @@ void print_line(const std::vector<std::string>& cells, const std::vector<std::si
   std::printf("\n");
 }
 
-void print_table(const Collector& measured) {
-  const auto everyone = distinct(&Entry::who);
+void print_table(const Collector& times) {
+  const auto everyone = times.measured(&Entry::who);
   std::vector<std::vector<std::string>> lines{{"ns"}};
   lines[0].insert(lines[0].end(), everyone.begin(), everyone.end());
   lines[0].insert(lines[0].end(), {"best peer", "/ Blossom", "/ evaluator"});
-  for (const std::string& row : distinct(&Entry::row)) {
+  for (const std::string& row : times.measured(&Entry::row)) {
     std::vector<std::string> line{row};
     std::string best;
     double best_time = 0;
     for (const std::string& who : everyone) {
-      const double time = measured.median({row, who});
+      const double time = times.median({row, who});
       line.push_back(nanoseconds(time));
       if (time == 0 || is_blossom(who) || (best_time > 0 && best_time <= time)) continue;
       best = who;
       best_time = time;
     }
     line.push_back(best);
-    for (const char* who : {blossom_plain, blossom_evaluator}) line.push_back(ratio(best_time, measured.median({row, who})));
+    for (const char* who : {blossom_plain, blossom_evaluator}) line.push_back(ratio(best_time, times.median({row, who})));
     lines.push_back(line);
   }
 

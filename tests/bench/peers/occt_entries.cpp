@@ -15,6 +15,8 @@
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 
+#include <memory>
+
 #include "comparison.hpp"
 
 namespace {
