@@ -113,8 +113,9 @@ Typed read_typed(const Part& part, const Json& json) {
     auto value = is_number(number) ? parse_typed(number.text) : std::nullopt;
     if (!value) {
       typed.problem =
-          kind_of(number) + (is_number(number) ? " is no number of at most 400 characters, such as 0.4 or \"2/5\""
-                                               : " stands where a number must be");
+          "contains " + kind_of(number) +
+          (is_number(number) ? ", which is no number of at most 400 characters, such as 0.4 or \"2/5\""
+                             : " where a number must be");
       return false;
     }
     typed.texts.push_back(number.text);

@@ -81,18 +81,26 @@ bool Replayed::is_trivial(ValueId v, NumbersView<Exact> result) const {
   };
   const ValueKind kind = trace.value(v).kind;
   if (result.empty() || kind == ValueKind::integer || kind == ValueKind::list) return false;
+  // Whether an operand, written down once more, would pass for the result.
+  const std::int32_t part = plan_->part_of[v];
+  const auto is_copy = [&](NumbersView<Exact> operand) {
+    if (kind != ValueKind::point || part == ReplayPlan::not_asked) return std::ranges::equal(operand, result);
+    const auto& tolerance = exercise_->parts[static_cast<std::size_t>(part)].tolerance;
+    const auto passes = [&](const Exact& typed, const Exact& right) { return within(tolerance, right, typed); };
+    return std::ranges::equal(operand, result, passes);
+  };
   std::size_t count = 0;
-  bool all_zero = true, all_equal = true, all_inherit = true;
+  bool all_zero = true, any_copied = false, all_inherit = true;
   for (const ValueId o : trace.operands(v)) {
     if (trace.value(o).kind != kind) continue;
     ++count;
     if (own_[o].empty()) return false;
     all_zero = all_zero && is_zero(own_[o], kind);
-    all_equal = all_equal && std::ranges::equal(own_[o], result);
+    any_copied = any_copied || is_copy(own_[o]);
     all_inherit = all_inherit && given_[o] == 0 && trivial_[o] != 0;
   }
   if (count == 0) return false;
-  return (all_zero && is_zero(result, kind)) || (count > 1 && all_equal) || all_inherit;
+  return (all_zero && is_zero(result, kind)) || (count > 1 && any_copied) || all_inherit;
 }
 
 std::vector<double> Replayed::rounding_through_rule(ValueId v) const {

@@ -48,8 +48,8 @@ class Replayed {
   // Whether they have something else than the right value.
   bool changed(ValueId v) const { return changed_[v] != 0; }
   bool operands_changed(ValueId v) const;
-  // Whether their operands leave nothing to be done: all of v's own kind are equal, and so is v; or all are zero. An
-  // operand nobody answered counts by what it was made from.
+  // Whether their operands leave nothing to be done: one of v's own kind, copied, passes for v (they are all equal, or
+  // the ratio is 0 or 1); or all are zero. An operand nobody answered counts by what it was made from.
   bool trivial(ValueId v) const { return trivial_[v] != 0; }
   // How far each typed number of a part may be from `expected` because of its operands' rounding. First order.
   std::vector<double> widening(const Part&) const;

@@ -165,9 +165,8 @@ void Grader::judge(const Open& open, Grade& grade) const {
     left[i] = 0;
     if (meant.trivial(part.value) && right_is_trivial_[i] == 0)
       settle(i, Verdict::wrong, 0,
-             "It follows from your earlier values, but those are all equal or zero and leave nothing to compute, so it "
-             "earns "
-             "no points.");
+             "It follows from your earlier values, but with those (all equal or zero, or a ratio that only copies a "
+             "point) there is nothing left to compute, so it earns no points.");
     else
       settle(i, Verdict::carried, exercise_.carried, {});
   }

@@ -54,8 +54,8 @@ const Algorithm& de_boor() {
         "s = multiplicity of u",
         "for r = 1 to p-s",
         "  for i = k-p+r to k-s",
-        "    alpha[r][i] = (u - u_i) / (u_{i+p-r+1} - u_i)",
-        "    P[r][i] = (1-alpha[r][i]) P[r-1][i-1] + alpha[r][i] P[r-1][i]",
+        "    a = alpha[r][i] = (u - u_i) / (u_{i+p-r+1} - u_i)",
+        "    P[r][i] = (1-a) P[r-1][i-1] + a P[r-1][i]",
         "C = P[p-s][k-s]",
     };
     a.given_narration = "A B-spline curve of degree p = {p} with the knots U = {U}, and the parameter u = {u}.";

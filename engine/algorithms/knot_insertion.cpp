@@ -65,10 +65,10 @@ const Algorithm& knot_insertion() {
         "s = multiplicity of u",
         "for r = 1 to h",
         "  for i = k-p+r to k-s",
-        "    alpha[r][i] = (u - u_i) / (u_{i+p-r+1} - u_i)",
-        "    Q[r][i] = (1-alpha[r][i]) Q[r-1][i-1] + alpha[r][i] Q[r-1][i]",
+        "    a = alpha[r][i] = (u - u_i) / (u_{i+p-r+1} - u_i)",
+        "    Q[r][i] = (1-a) Q[r-1][i-1] + a Q[r-1][i]",
         "Ubar = U with u put in h times",
-        "Q = P_0..P_{k-p}, left edge, last level, right edge, P_{k-s}..P_n",
+        "Q = P_0..P_{k-p}, edges of the triangle, P_{k-s}..P_n",
     };
     a.given_narration = "A curve with the knots U = {U}. The new knot is u = {u}, to be inserted h = {h} times.";
     a.values = {

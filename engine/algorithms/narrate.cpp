@@ -101,20 +101,18 @@ std::string Narrator<S>::text(std::uint32_t step) const {
   return fill(narration, step);
 }
 
-namespace {
-
-template <class Numbers, class NumberText>
-std::string list(const Numbers& numbers, const NumberText& text_of) {
+// Several numbers in parentheses. Where decimals are rounded, what rounding errors left of a zero is shown as 0.
+template <Scalar S>
+std::string Narrator<S>::list(NumbersView<S> numbers) const {
+  double largest = 0;
+  for (const S& x : numbers) largest = std::max(largest, std::abs(to_double(x)));
   std::string text = "(";
-  bool first = true;
-  for (const auto& x : numbers) {
-    text += (first ? "" : ", ") + text_of(x);
-    first = false;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const bool noise = digits_ > 0 && std::abs(to_double(numbers[i])) < 1e-14 * largest;
+    text += (i > 0 ? ", " : "") + (noise ? "0" : number(numbers[i]));
   }
   return text + ")";
 }
-
-}  // namespace
 
 template <Scalar S>
 std::string Narrator<S>::operand_text(ValueId v) const {
@@ -123,7 +121,7 @@ std::string Narrator<S>::operand_text(ValueId v) const {
   const auto numbers = trace().numbers(v);
   std::vector<S> shown(numbers.begin(), numbers.begin() + trace().dimension);
   if (trace().rational) shown.push_back(numbers[3]);
-  return list(shown, [this](const S& x) { return number(x); });
+  return list(shown);
 }
 
 template <Scalar S>
@@ -132,17 +130,17 @@ std::string Narrator<S>::value_text(ValueId v) const {
   switch (trace().value(v).kind) {
     case ValueKind::integer:
     case ValueKind::scalar: return number(numbers[0]);
-    case ValueKind::list: return list(numbers, [this](const S& x) { return number(x); });
+    case ValueKind::list: return list(numbers);
     case ValueKind::vector: return operand_text(v);
     case ValueKind::point: break;
   }
   std::vector<S> shown(numbers.begin(), numbers.begin() + trace().dimension);
   // The point on a rational curve, after the division, is an ordinary one.
-  if (!trace().rational || trace().value(v).rule == &rule_info<Project>) return list(shown, [this](const S& x) { return number(x); });
+  if (!trace().rational || trace().value(v).rule == &rule_info<Project>) return list(shown);
   const S& w = numbers[3];
-  if (w == S(0)) return "at infinity, direction " + list(shown, [this](const S& x) { return number(x); });
+  if (w == S(0)) return "at infinity, direction " + list(shown);
   for (S& x : shown) x = x / w;
-  return list(shown, [this](const S& x) { return number(x); }) + ", w = " + number(w);
+  return list(shown) + ", w = " + number(w);
 }
 
 template <Scalar S>

@@ -60,6 +60,7 @@ class Narrator {
   std::optional<int> index(std::string_view expression, const Context&) const;
 
   std::string number(const S&) const;
+  std::string list(NumbersView<S>) const;
 
   const Run<S>* run_;
   int digits_;

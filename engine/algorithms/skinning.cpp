@@ -57,7 +57,7 @@ const Algorithm& skinning() {
          {"chord", "centripetal", "uniform"}, "\"chord\""},
     };
     a.pseudo_code = {
-        "make the profiles compatible: one degree, one knot vector",
+        "make profiles compatible: one degree, one knot vector",
         "d[l][i] = distance from P[l-1][i] to P[l][i]",
         "e[l][i] = d[l][i] / sum of d[1..K][i]",
         "v_l = v_{l-1} + mean over i of e[l][i]",

@@ -165,9 +165,20 @@ std::optional<int> Cursor::integer(int at_least, int at_most) const {
 }
 
 std::optional<std::string> Cursor::string() const {
-  if (is(Json::Kind::string)) return json_->text;
-  error("must be a string, not " + describe(*json_));
-  return std::nullopt;
+  if (!is(Json::Kind::string)) {
+    error("must be a string, not " + describe(*json_));
+    return std::nullopt;
+  }
+  const std::string& text = json_->text;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool second_block = byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7F || second_block) {
+      error("must not contain control characters: a terminal would obey them");
+      return std::nullopt;
+    }
+  }
+  return text;
 }
 
 std::optional<bool> Cursor::boolean() const {

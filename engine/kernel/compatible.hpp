@@ -38,9 +38,13 @@ struct Reparametrize {
 
 namespace compatible {
 
+// The knots as one value; without recording they are that already.
 template <class R>
 auto knot_list(R& rec, const MadeCurve<R>& curve) {
-  return rec.apply(Gather{}, "U"_v, slice(curve.U, 0, curve.U.size()));
+  if constexpr (R::recording)
+    return rec.apply(Gather{}, "U"_v, slice(curve.U, 0, curve.U.size()));
+  else
+    return Traced<std::span<const typename R::Number>, NoId>{curve.U.values(), {}};
 }
 
 // The same curve with its domain's ends as knots of multiplicity p + 1 (they had less: an unclamped curve).
@@ -56,7 +60,7 @@ MadeCurve<R> clamp(R& rec, MadeCurve<R> curve) {
       auto phase = rec.phase({"end", front ? 0 : 1, true, "knot_insertion"});
       const auto times = rec.input("h"_v, p - s);
       const auto end = rec.apply(SameNumber{}, "u"_v, curve.U[at]);
-      curve = insert_knot(rec, curve, knot_list(rec, curve), end, times);
+      curve = insert_knot(rec, curve, knot_list(rec, curve), end, times).curve;
     }
   }
   // Only what the domain sees remains, with p + 1 copies of each end.
@@ -151,18 +155,23 @@ void make_compatible(R& rec, std::vector<MadeCurve<R>>& curves) {
   }
   for (int l = 0; l < count; ++l) {
     if (curve(l).U.size() == static_cast<int>(all.value.size())) continue;
-    auto refined = rec.phase({"refine", l, true});
+    auto phase_of_profile = rec.phase({"refine", l, true});
     int inserted = 0;
+    Traced<std::vector<S>, Id> knots;
     for (std::size_t i = 0; i < all.value.size();) {
       const S u = all.value[i];
       const int wanted = multiplicity(std::span<const S>(all.value), u);
       const int missing = wanted - multiplicity(curve(l).U.values(), u);
       i += static_cast<std::size_t>(wanted);
       if (missing == 0) continue;
-      auto inner = rec.phase({"knot", inserted++, true, "knot_insertion"});
+      auto inner = rec.phase({"knot", inserted, true, "knot_insertion"});
       const auto times = rec.input("h"_v, missing);
       const auto knot = rec.input("u"_v, u);
-      curve(l) = insert_knot(rec, curve(l), compatible::knot_list(rec, curve(l)), knot, times);
+      const auto insert = [&](const auto& list) { return insert_knot(rec, curve(l), list, knot, times); };
+      auto refined = R::recording && inserted > 0 ? insert(knots) : insert(compatible::knot_list(rec, curve(l)));
+      curve(l) = std::move(refined.curve);
+      knots = std::move(refined.knots);
+      ++inserted;
     }
   }
 }

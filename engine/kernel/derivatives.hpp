@@ -297,6 +297,36 @@ inline bool plain_unit_normal(const TangentPlane& plane, const Point<double>& po
   return true;
 }
 
+// Both from the tangent plane at (u, v), whether plain or not.
+inline std::optional<PointAndNormal> point_and_normal(const TangentPlane& plane, const Surface<double>& surface,
+                                                      double u, double v, double length_u, double length_v) {
+  const auto point = affine_point(plane.S);
+  if (!point) return std::nullopt;
+  Point<double> normal;
+  if (plain_unit_normal(plane, *point, length_u, length_v, normal)) return PointAndNormal{*point, normal};
+  return PointAndNormal{*point, unit_normal(surface, u, v)};
+}
+
 }  // namespace detail
+
+// The point with its unit normal, which is that of unit_normal; nothing where the denominator is zero.
+inline std::optional<PointAndNormal> point_and_normal(const Surface<double>& surface, double u, double v) {
+  const auto [p, q] = surface.degree;
+  const auto& [U, V] = surface.knots;
+  const int k = find_span<double>(U, p, u);
+  const int l = find_span<double>(V, q, v);
+  // The derivatives of order 0 and 1; the unrolled loops serve surfaces of the same degree in both directions.
+  const auto plane = detail::with_degree<double>(p == q ? p : 0, [&, p = p, q = q, &U = U, &V = V](auto P) {
+    std::array<double, 2 * (P() > 0 ? P() + 1 : detail::max_order)> M, N;
+    detail::Reciprocals<double> R;
+    detail::knot_reciprocals<P()>(U.data() + k, p, R.data());
+    detail::basis_derivatives_on_span<P()>(U.data() + k, p, u, 1, R.data(), M.data());
+    detail::knot_reciprocals<P()>(V.data() + l, q, R.data());
+    detail::basis_derivatives_on_span<P()>(V.data() + l, q, v, 1, R.data(), N.data());
+    return detail::tangent_plane<P(), P()>(M.data(), M.data() + p + 1, N.data(), N.data() + q + 1,
+                                           &surface.at(k - p, l - q), surface.columns, p, q);
+  });
+  return detail::point_and_normal(plane, surface, u, v, U[surface.rows] - U[p], V[surface.columns] - V[q]);
+}
 
 }  // namespace blossom

@@ -52,34 +52,45 @@ class Blend {
   HPoint<S> sum_;
 };
 
-// In double it is two vectors of two, x y and z w: the compiler, left alone with four numbers, vectorizes across points
-// and loses the gain in shuffles. The operations are the same ones, so the bits are too.
+// In double it is one vector of four, or two of two, x y and z w, where the processor has no longer ones: the compiler,
+// left alone with four numbers, vectorizes across points and loses the gain in shuffles. The operations are the same
+// ones, so the bits are too.
 template <>
 class Blend<double> {
  public:
-  Blend(const HPoint<double>& P, double factor) : xy_(load(&P.x) * factor), zw_(load(&P.z) * factor) {}
-  Blend(const Blend& other, double factor) : xy_(other.xy_ * factor), zw_(other.zw_ * factor) {}
+  Blend(const HPoint<double>& P, double factor) {
+    for (int i = 0; i < parts; ++i) sum_[i] = load(P, i) * factor;
+  }
+  Blend(const Blend& other, double factor) {
+    for (int i = 0; i < parts; ++i) sum_[i] = other.sum_[i] * factor;
+  }
   void add(const HPoint<double>& P, double factor) {
-    xy_ += load(&P.x) * factor;
-    zw_ += load(&P.z) * factor;
+    for (int i = 0; i < parts; ++i) sum_[i] += load(P, i) * factor;
   }
   void add(const Blend& other, double factor) {
-    xy_ += other.xy_ * factor;
-    zw_ += other.zw_ * factor;
+    for (int i = 0; i < parts; ++i) sum_[i] += other.sum_[i] * factor;
   }
-  HPoint<double> point() const { return {xy_[0], xy_[1], zw_[0], zw_[1]}; }
+  HPoint<double> point() const {
+    return {sum_[0][0], sum_[0][1], sum_[2 / width][2 % width], sum_[3 / width][3 % width]};
+  }
 
  private:
-  using Pair [[gnu::vector_size(16)]] = double;
-  static Pair load(const double* two) {
-    Pair pair;
-    std::memcpy(&pair, two, sizeof pair);
-    return pair;
-  }
-  static_assert(sizeof(HPoint<double>) == 2 * sizeof(Pair));
+#ifdef __AVX__
+  static constexpr int width = 4;
+#else
+  static constexpr int width = 2;
+#endif
+  static constexpr int parts = 4 / width;
+  using Part [[gnu::vector_size(width * sizeof(double))]] = double;
+  static_assert(sizeof(HPoint<double>) == parts * sizeof(Part));
 
-  Pair xy_;
-  Pair zw_;
+  [[gnu::always_inline]] static Part load(const HPoint<double>& P, int i) {
+    Part part;
+    std::memcpy(&part, &P.x + i * width, sizeof part);
+    return part;
+  }
+
+  Part sum_[parts];
 };
 
 // sum_r N[r] P[r], r = 0..p.

@@ -95,11 +95,14 @@ class SpanTable {
 //
 //   C^w(u) = sum_i binom(p,i) (1-t)^(p-i) t^i b_i
 //
-// takes O(p) operations by Horner's rule in 1-t (Farin, Curves and Surfaces for CAGD, section 5.1), where the basis
-// functions take O(p^2). All terms have the sign of their b_i: rounding is as harmless as in de Casteljau's algorithm.
+// takes O(p) operations by Horner's rule (Farin, Curves and Surfaces for CAGD, section 5.1), where the basis functions
+// take O(p^2). All terms have the sign of their b_i: rounding is as harmless as in de Casteljau's algorithm. The first
+// half of the terms is summed by powers of 1-t from the front, the second by powers of t from the back: two chains of
+// half the length, which a processor works on side by side.
 class CurveEvaluator {
  public:
-  explicit CurveEvaluator(const Curve<double>& curve) : spans_(curve.knots, curve.degree), points_(curve.points) {
+  explicit CurveEvaluator(const Curve<double>& curve)
+      : spans_(curve.knots, curve.degree), points_(curve.points), rational_(curve.rational) {
     const int p = curve.degree;
     for (int s = 0; s < spans_.count(); ++s) {
       const double* Uk = spans_.knots_from(s);
@@ -121,19 +124,34 @@ class CurveEvaluator {
       const int p = P() > 0 ? P() : spans_.degree();
       const HPoint<double>* b = scaled_.data() + static_cast<std::ptrdiff_t>(s) * (p + 1);
       const double t = (u - pieces_[s].begin) * pieces_[s].reciprocal;
-      double power = t;
-      detail::Blend<double> C(b[0], 1 - t);
-      C.add(b[1], power);
-      for (int i = 2; i <= p; ++i) {
-        power *= t;
-        C = detail::Blend<double>(C, 1 - t);
-        C.add(b[i], power);
+      const double r = 1 - t;
+      const int middle = p / 2;
+      double powers_of_t = 1;
+      detail::Blend<double> C(b[0], 1);
+      for (int i = 1; i <= middle; ++i) {
+        powers_of_t *= t;
+        C = detail::Blend<double>(C, r);
+        C.add(b[i], powers_of_t);
       }
+      double powers_of_r = 1;
+      detail::Blend<double> back(b[p], 1);
+      for (int i = p - 1; i > middle; --i) {
+        powers_of_r *= r;
+        back = detail::Blend<double>(back, t);
+        back.add(b[i], powers_of_r);
+      }
+      C = detail::Blend<double>(C, powers_of_r * r);
+      C.add(back, powers_of_t * t);
       return C.point();
     });
   }
 
-  std::optional<Point<double>> point(double u) const { return affine_point(homogeneous_point(u)); }
+  std::optional<Point<double>> point(double u) const {
+    const HPoint<double> C = homogeneous_point(u);
+    if (rational_) return affine_point(C);
+    const auto P = detail::xyz(C);
+    return is_finite(P) ? std::optional(P) : std::nullopt;
+  }
 
   // As the function derivatives(curve, u, d, C).
   [[nodiscard]] bool derivatives(double u, int d, std::span<Point<double>> C) const {
@@ -153,6 +171,7 @@ class CurveEvaluator {
 
   SpanTable spans_;
   std::vector<HPoint<double>> points_;
+  bool rational_;
   std::vector<Piece> pieces_;
   std::vector<HPoint<double>> scaled_;  // binom(p,i) b_i, span after span
 };
@@ -200,7 +219,7 @@ class SurfaceEvaluator {
 
   std::optional<Point<double>> point(double u, double v) const { return affine_point(homogeneous_point(u, v)); }
 
-  // The point with its unit normal, which is that of the function unit_normal; nothing where the denominator is zero.
+  // As the function point_and_normal.
   std::optional<PointAndNormal> point_and_normal(double u, double v) const {
     const Place at = find(u, v);
     const auto plane = with_degrees([&](auto P) {
@@ -210,13 +229,7 @@ class SurfaceEvaluator {
       return detail::tangent_plane<P(), P()>(M.data(), M.data() + at.p + 1, N.data(), N.data() + at.q + 1, at.points,
                                              surface_.columns, at.p, at.q);
     });
-    const auto point = affine_point(plane.S);
-    if (!point) return std::nullopt;
-    Point<double> normal;
-    if (!detail::plain_unit_normal(plane, *point, spans_[0].length(), spans_[1].length(), normal)) {
-      return PointAndNormal{*point, unit_normal(surface_, u, v)};
-    }
-    return PointAndNormal{*point, normal};
+    return detail::point_and_normal(plane, surface_, u, v, spans_[0].length(), spans_[1].length());
   }
 
  private:

@@ -33,10 +33,17 @@ struct InsertKnot {
   }
 };
 
+// A refined curve, and, when recording, its knot vector as one value, which a next insertion can go on from.
+template <class R>
+struct RefinedCurve {
+  MadeCurve<R> curve;
+  Traced<std::vector<typename R::Number>, typename R::Id> knots;
+};
+
 // Preconditions: u in the domain of the curve, times >= 1, multiplicity of u + times <= p.
 // Curve is a TracedCurve; `knots` its knot vector as one value.
 template <class R, class CurveIn, class KnotList, class Parameter, class Times>
-MadeCurve<R> insert_knot(R& rec, const CurveIn& curve, const KnotList& knots, const Parameter& u, const Times& times) {
+RefinedCurve<R> insert_knot(R& rec, const CurveIn& curve, const KnotList& knots, const Parameter& u, const Times& times) {
   using S = typename R::Number;
   const int p = curve.degree;
   const int h = times.value;
@@ -66,13 +73,17 @@ MadeCurve<R> insert_knot(R& rec, const CurveIn& curve, const KnotList& knots, co
   // Left edge and the last level; the right edge was kept as the levels were done.
   for (int j = 0; j < width; ++j) Q.set(first + j, row[static_cast<std::size_t>(j)]);
 
-  const auto Ubar = rec.apply(InsertKnot{}, "Ubar"_v, u, times, knots);
+  auto Ubar = rec.apply(InsertKnot{}, "Ubar"_v, u, times, knots);
   auto& V = made.U;
-  V.reserve(static_cast<int>(Ubar.value.size()));
-  V.append(U, 0, k.value + 1);
-  for (int r = 0; r < h; ++r) V.push_back(Ref<S, typename R::Id>{u.value, u.id});
-  V.append(U, k.value + 1, U.size() - k.value - 1);
-  return made;
+  if constexpr (R::recording) {  // each knot keeps its id
+    V.reserve(static_cast<int>(Ubar.value.size()));
+    V.append(U, 0, k.value + 1);
+    for (int r = 0; r < h; ++r) V.push_back(Ref<S, typename R::Id>{u.value, u.id});
+    V.append(U, k.value + 1, U.size() - k.value - 1);
+  } else {
+    V.give(std::move(Ubar.value));
+  }
+  return {std::move(made), std::move(Ubar)};
 }
 
 // The curve as given: its knots and points as input values U, U[i], P[i] with their polar labels.
@@ -108,7 +119,7 @@ Curve<typename R::Number> knot_insertion(const Curve<typename R::Number>& curve,
   const auto h = rec.input("h"_v, times);
   const auto knots = rec.list("U"_v, curve.knots);
   const auto given = given_curve(rec, curve);
-  auto made = insert_knot(rec, given, knots, u, h);
+  auto made = insert_knot(rec, given, knots, u, h).curve;
   if constexpr (R::recording) {
     auto phase = rec.phase({"collect"});
     auto step = rec.one_step();

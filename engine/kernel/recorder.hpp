@@ -117,6 +117,8 @@ struct Givens {
 // Values made on the way: their numbers lie together (a rule can read a span of them), their ids beside them.
 template <class T, class Id>
 class Cells {
+  static constexpr bool traced = !std::is_same_v<Id, NoId>;
+
  public:
   void reserve(int n) {
     values_.reserve(static_cast<std::size_t>(n));
@@ -153,9 +155,13 @@ class Cells {
   int size() const { return static_cast<int>(values_.size()); }
   std::span<const T> values() const { return values_; }
   std::vector<T> take() { return std::move(values_); }
+  void give(std::vector<T>&& values)
+    requires(!traced)
+  {
+    values_ = std::move(values);
+  }
 
  private:
-  static constexpr bool traced = !std::is_same_v<Id, NoId>;
   struct Nothing {};
   std::vector<T> values_;
   [[no_unique_address]] std::conditional_t<traced, std::vector<Id>, Nothing> ids_;

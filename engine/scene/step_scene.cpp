@@ -377,7 +377,7 @@ Scene StepScenes::page(std::uint32_t step, const std::string& narration, const P
   const double margin = 18;
   const double top = 54;
   const double bottom = 106;
-  const double side = std::min(400.0, options.width * 0.36);
+  const double side = std::min(440.0, options.width * 0.38);
   const double main_width = options.width - side - 3 * margin;
   const double main_height = options.height - top - bottom - margin;
 

@@ -79,15 +79,17 @@ void add_surfaces() {
               [&](std::size_t i, auto& out) { store(*point(surface, u[i], v[i]), out); });
   add_jobs<3>(peers::surface_point_row, blossom_evaluator,
               [&u, &v, evaluator](std::size_t i, auto& out) { store(*evaluator->point(u[i], v[i]), out); });
-  add_jobs<6>(peers::surface_normal_row, blossom_plain, [&](std::size_t i, auto& out) {
-    store(*point(surface, u[i], v[i]), out);
-    store(*unit_normal(surface, u[i], v[i]), out, 3);
-  });
-  add_jobs<6>(peers::surface_normal_row, blossom_evaluator, [&u, &v, evaluator](std::size_t i, auto& out) {
-    const auto found = evaluator->point_and_normal(u[i], v[i]);
-    store(found->point, out);
-    store(*found->normal, out, 3);
-  });
+  const auto normals_by = [](auto compute) {
+    return [compute](std::size_t i, std::array<double, 6>& out) {
+      const auto found = compute(i);
+      store(found->point, out);
+      store(*found->normal, out, 3);
+    };
+  };
+  add_jobs<6>(peers::surface_normal_row, blossom_plain,
+              normals_by([&](std::size_t i) { return point_and_normal(surface, u[i], v[i]); }));
+  add_jobs<6>(peers::surface_normal_row, blossom_evaluator,
+              normals_by([&u, &v, evaluator](std::size_t i) { return evaluator->point_and_normal(u[i], v[i]); }));
 
   for (const bool with_normals : {false, true}) {
     const auto fill = [with_normals, grid = std::make_shared<SurfaceGrid>()] {
