@@ -53,14 +53,38 @@ std::string kind_of(const Json& json) {
   return {};
 }
 
-std::string unknown_name(const Exercise& exercise, const std::string& name) {
-  std::vector<std::string> names;
-  for (const Part& part : exercise.parts) names.push_back(part.name);
-  const auto near = did_you_mean(name, names);
+std::string not_asked(const Exercise& exercise, const std::string& name) {
+  if (const auto value = exercise.run.trace.find(name); value && exercise.run.trace.is_input(*value))
+    return excerpt(name) + " is given and was ignored";
+  const auto near = nearest_asked(exercise, name);
   return excerpt(name) + " is not asked and was ignored" + (near ? "; did you mean " + excerpt(*near) + "?" : "");
 }
 
+// The digits of all indices of a name, without leading zeros: "12" of "P[1][2]", "P[1,02]" and "p12".
+std::string index_digits(std::string_view name) {
+  std::string digits;
+  bool leading = true;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto is_digit = [&](std::size_t at) { return at < name.size() && '0' <= name[at] && name[at] <= '9'; };
+    if (!is_digit(i)) {
+      leading = true;
+    } else if (!leading || name[i] != '0' || !is_digit(i + 1)) {
+      digits += name[i];
+      leading = false;
+    }
+  }
+  return digits;
+}
+
 }  // namespace
+
+std::optional<std::string> nearest_asked(const Exercise& exercise, const std::string& name) {
+  if (exercise.run.trace.find(name)) return std::nullopt;
+  std::vector<std::string> names;
+  for (const Part& part : exercise.parts)
+    if (index_digits(part.name) == index_digits(name)) names.push_back(part.name);
+  return did_you_mean(name, names);
+}
 
 Answers match_answers(const Exercise& exercise, const Checked<JsonDocument>& document) {
   Answers answers;
@@ -101,7 +125,7 @@ Answers match_answers(const Exercise& exercise, const Checked<JsonDocument>& doc
     if (const auto part = exercise.part(given->keys[i]))
       answers.part[*part] = &given->items[i];
     else
-      ignore([&] { return unknown_name(exercise, given->keys[i]); });
+      ignore([&] { return not_asked(exercise, given->keys[i]); });
   }
   if (ignored > most_notes) answers.notes.push_back(std::to_string(ignored - most_notes) + " more were ignored");
   return answers;
@@ -112,10 +136,9 @@ Typed read_typed(const Part& part, const Json& json) {
   const auto take = [&](const Json& number) {
     auto value = is_number(number) ? parse_typed(number.text) : std::nullopt;
     if (!value) {
-      typed.problem =
-          "contains " + kind_of(number) +
-          (is_number(number) ? ", which is no number of at most 400 characters, such as 0.4 or \"2/5\""
-                             : " where a number must be");
+      typed.problem = "contains " + kind_of(number) +
+                      (is_number(number) ? ", which is no number of at most 400 characters, such as 0.4 or \"2/5\""
+                                         : " where a number must be");
       return false;
     }
     typed.texts.push_back(number.text);

@@ -22,6 +22,10 @@ struct Answers {
 // Matches a document's answers with the parts they are for. The reason or the notes are for its author.
 Answers match_answers(const Exercise&, const Checked<JsonDocument>&);
 
+// The asked value that `name` seems to misspell. Not one of other indices, which are as likely meant as they are typed;
+// none where `name` is another value of the run.
+std::optional<std::string> nearest_asked(const Exercise&, const std::string& name);
+
 // A part's answer with its numbers. `problem` is not empty when it has not the part's shape, and says what would be
 // right.
 struct Typed {

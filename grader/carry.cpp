@@ -27,7 +27,6 @@ Replayed::Replayed(const Exercise& exercise, const ReplayPlan& plan) : exercise_
   for (ValueId v = 0; v < count; ++v) own_.push_back(trace.numbers(v));
   expected_ = own_;
   changed_.assign(count, 0);
-  trivial_.assign(count, 0);
   given_.assign(count, 0);
   made_.resize(count);
 }
@@ -36,7 +35,7 @@ void Replayed::start() {
   const auto& trace = exercise_->run.trace;
   for (const ValueId v : plan_->order) {
     own_[v] = expected_[v] = trace.numbers(v);
-    changed_[v] = trivial_[v] = given_[v] = 0;
+    changed_[v] = given_[v] = 0;
     made_[v].rounding.clear();
     made_[v].expected_rounding.clear();
   }
@@ -72,22 +71,40 @@ void Replayed::put_in(ValueId v, const Part& part, const Given& given) {
     for (double& r : made.rounding) r *= std::abs(made.own[3].to_double());
 }
 
-bool Replayed::is_trivial(ValueId v, NumbersView<Exact> result) const {
+const Tolerance& Replayed::tolerance(ValueId v) const {
+  const std::int32_t part = plan_->part_of[v];
+  return part == ReplayPlan::not_asked ? exercise_->tolerance
+                                       : exercise_->parts[static_cast<std::size_t>(part)].tolerance;
+}
+
+std::vector<char> Replayed::trivial() const {
+  std::vector<char> trivial(own_.size(), 0);
+  for (const ValueId v : plan_->order)
+    if (is_trivial(v, trivial)) trivial[v] = 1;
+  return trivial;
+}
+
+bool Replayed::is_trivial(ValueId v, const std::vector<char>& trivial) const {
   const auto& trace = exercise_->run.trace;
-  const auto is_zero = [&](NumbersView<Exact> numbers, ValueKind kind) {
+  const ValueKind kind = trace.value(v).kind;
+  const auto result = expected_[v];
+  if (result.empty() || kind == ValueKind::integer) return false;
+  if (kind == ValueKind::list) return is_trivial_list(v, trivial);
+  const auto is_zero = [&](NumbersView<Exact> numbers) {
     // A weight does not make a point at the origin another point.
     const std::size_t count = kind == ValueKind::point ? numbers.size() - 1 : numbers.size();
     return std::ranges::all_of(numbers.first(count), [](const Exact& x) { return x == Exact(0); });
   };
-  const ValueKind kind = trace.value(v).kind;
-  if (result.empty() || kind == ValueKind::integer || kind == ValueKind::list) return false;
-  // Whether an operand, written down once more, would pass for the result.
   const std::int32_t part = plan_->part_of[v];
+  const bool asked = part != ReplayPlan::not_asked;
+  const Part* const typed_as = asked ? &exercise_->parts[static_cast<std::size_t>(part)] : nullptr;
+  const auto wide = asked ? widening(*typed_as) : std::vector<double>();
+  // Whether an operand, written down once more, would pass for the result.
   const auto is_copy = [&](NumbersView<Exact> operand) {
-    if (kind != ValueKind::point || part == ReplayPlan::not_asked) return std::ranges::equal(operand, result);
-    const auto& tolerance = exercise_->parts[static_cast<std::size_t>(part)].tolerance;
-    const auto passes = [&](const Exact& typed, const Exact& right) { return within(tolerance, right, typed); };
-    return std::ranges::equal(operand, result, passes);
+    if (asked) return agrees(*typed_as, result, typed_as->as_typed(operand), wide);
+    return std::ranges::equal(operand, result, [&](const Exact& typed, const Exact& right) {
+      return within(exercise_->tolerance, right, typed);
+    });
   };
   std::size_t count = 0;
   bool all_zero = true, any_copied = false, all_inherit = true;
@@ -95,12 +112,27 @@ bool Replayed::is_trivial(ValueId v, NumbersView<Exact> result) const {
     if (trace.value(o).kind != kind) continue;
     ++count;
     if (own_[o].empty()) return false;
-    all_zero = all_zero && is_zero(own_[o], kind);
+    all_zero = all_zero && is_zero(own_[o]);
     any_copied = any_copied || is_copy(own_[o]);
-    all_inherit = all_inherit && given_[o] == 0 && trivial_[o] != 0;
+    all_inherit = all_inherit && given_[o] == 0 && trivial[o] != 0;
   }
   if (count == 0) return false;
-  return (all_zero && is_zero(result, kind)) || (count > 1 && any_copied) || all_inherit;
+  return (all_zero && is_zero(result)) || (count > 1 && any_copied) || all_inherit;
+}
+
+bool Replayed::is_trivial_list(ValueId v, const std::vector<char>& trivial) const {
+  const auto& trace = exercise_->run.trace;
+  const auto different = [&](NumbersView<Exact> list) {
+    std::size_t steps = 0;
+    for (std::size_t i = 1; i < list.size(); ++i)
+      if (!within(tolerance(v), list[i], list[i - 1])) ++steps;
+    return steps;
+  };
+  if (different(expected_[v]) < different(trace.numbers(v))) return true;
+  bool all_inherit = operands_changed(v);
+  for (const ValueId o : trace.operands(v))
+    if (changed_[o] != 0) all_inherit = all_inherit && given_[o] == 0 && trivial[o] != 0;
+  return all_inherit;
 }
 
 std::vector<double> Replayed::rounding_through_rule(ValueId v) const {

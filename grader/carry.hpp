@@ -48,9 +48,14 @@ class Replayed {
   // Whether they have something else than the right value.
   bool changed(ValueId v) const { return changed_[v] != 0; }
   bool operands_changed(ValueId v) const;
-  // Whether their operands leave nothing to be done: one of v's own kind, copied, passes for v (they are all equal, or
-  // the ratio is 0 or 1); or all are zero. An operand nobody answered counts by what it was made from.
-  bool trivial(ValueId v) const { return trivial_[v] != 0; }
+  // By value: whether their operands leave nothing to be done there.
+  //   A point or a number: an operand of its own kind, copied, would pass for it (they are all equal, or the ratio is 0
+  //     or 1); or all of them are zero; or all are trivial themselves and were not answered, so that what these were
+  //     made from decides.
+  //   A list: fewer different numbers than the right one has (a parameter that fell on an end or on its neighbour); or
+  //     every operand that changed is trivial and was not answered.
+  // What passes and what is different is up to the part's tolerance; where nothing is asked, to the exercise's.
+  std::vector<char> trivial() const;
   // How far each typed number of a part may be from `expected` because of its operands' rounding. First order.
   std::vector<double> widening(const Part&) const;
 
@@ -64,7 +69,9 @@ class Replayed {
   void start();
   bool make(ValueId v, Numbers<Exact>& made);
   void put_in(ValueId v, const Part& part, const Given& given);
-  bool is_trivial(ValueId v, NumbersView<Exact> result) const;
+  bool is_trivial(ValueId v, const std::vector<char>& trivial) const;
+  bool is_trivial_list(ValueId v, const std::vector<char>& trivial) const;
+  const Tolerance& tolerance(ValueId v) const;
   std::vector<double> rounding_through_rule(ValueId v) const;
 
   const Exercise* exercise_;
@@ -72,7 +79,6 @@ class Replayed {
   std::vector<NumbersView<Exact>> own_;
   std::vector<NumbersView<Exact>> expected_;
   std::vector<char> changed_;
-  std::vector<char> trivial_;
   std::vector<char> given_;
   std::vector<Made> made_;
   std::vector<NumbersView<Exact>> operands_;
@@ -90,7 +96,6 @@ void Replayed::run(const std::vector<Given>& given, Wrong&& wrong) {
       expected_[v] = made.expected;
       made.expected_rounding = rounding_through_rule(v);
     }
-    trivial_[v] = is_trivial(v, expected_[v]) ? 1 : 0;
     const std::int32_t part = plan_->part_of[v];
     const Given* own = part == ReplayPlan::not_asked ? nullptr : &given[static_cast<std::size_t>(part)];
     if (own != nullptr && own->kind != Given::Kind::nothing) {

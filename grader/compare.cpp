@@ -1,15 +1,27 @@
 #include "grader/compare.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
 namespace blossom {
 namespace {
 
-Exact power_of_ten(int e) {
+Exact make_power_of_ten(int e) {
   const auto power = Exact::parse("1e" + std::to_string(std::clamp(e, -400, 400)));
   return power ? *power : Exact(0);
+}
+
+// Those of the digits that tolerances have are made once.
+Exact power_of_ten(int e) {
+  constexpr int usual = 16;
+  static const auto made = [] {
+    std::array<Exact, 2 * usual + 1> powers;
+    for (int i = -usual; i <= usual; ++i) powers[static_cast<std::size_t>(i + usual)] = make_power_of_ten(i);
+    return powers;
+  }();
+  return -usual <= e && e <= usual ? made[static_cast<std::size_t>(e + usual)] : make_power_of_ten(e);
 }
 
 // e with 10^e <= |v| < 10^(e+1); v != 0
@@ -73,6 +85,14 @@ bool within(const Tolerance& tolerance, const Exact& v, const Exact& typed, doub
   const auto centre = rational(v);
   if (!centre) return false;
   const auto allowed = rational(slack(tolerance, v));
+  // Doubles decide unless it is close: each of the three is off by half a unit of its 53rd bit, and so is what is made
+  // of them.
+  const double v_double = centre->to_double(), typed_double = typed.to_double();
+  const double most = allowed->to_double() + (widening > 0 && std::isfinite(widening) ? widening : 0);
+  const double distance_double = std::abs(typed_double - v_double);
+  const double doubt = 1e-15 * (std::abs(typed_double) + std::abs(v_double) + most) + 1e-300;
+  if (distance_double > most + doubt) return false;
+  if (distance_double < most - doubt) return true;
   const Exact distance = abs(typed - *centre);
   return distance <= (widening > 0 && std::isfinite(widening) ? *allowed + Exact(widening) : *allowed);
 }
@@ -104,6 +124,11 @@ std::optional<double> quick_double(std::string_view text) {
 }
 
 std::optional<Exact> parse_typed(std::string_view text) {
+  // Zeros at the end of decimals mean nothing, but make long numbers.
+  constexpr std::size_t longest = 64;
+  if (text.size() <= longest && text.find('.') != std::string_view::npos &&
+      text.find_first_of("eE/") == std::string_view::npos)
+    while (text.ends_with("00")) text.remove_suffix(1);
   auto number = Exact::parse(text);
   if (number && !std::isfinite(number->to_double())) return std::nullopt;
   return number;
@@ -119,18 +144,23 @@ Fit fit(const Window& window, std::string_view typed) {
   return window.low <= *number && *number <= window.high ? Fit::inside : Fit::outside;
 }
 
-double rounding_of(std::string_view typed) {
+double last_place(std::string_view typed) {
+  if (typed.find('/') != std::string_view::npos) return 0;
   const std::size_t exponent_at = typed.find_first_of("eE");
-  const std::size_t point = typed.find('.');
-  if (point == std::string_view::npos) return 0;
-  const std::string_view decimals = typed.substr(point + 1, exponent_at - point - 1);
+  const std::string_view mantissa = typed.substr(0, exponent_at);
+  const std::size_t point = mantissa.find('.');
+  const std::size_t decimals = point == std::string_view::npos ? 0 : mantissa.size() - point - 1;
   int e = 0;
   if (exponent_at != std::string_view::npos) {
     std::string_view digits = typed.substr(exponent_at + 1);
     if (digits.starts_with('+')) digits.remove_prefix(1);
     std::from_chars(digits.data(), digits.data() + digits.size(), e);
   }
-  return (Exact::ratio(1, 2) * power_of_ten(e - static_cast<int>(decimals.size()))).to_double();
+  return power_of_ten(e - static_cast<int>(decimals)).to_double();
+}
+
+double rounding_of(std::string_view typed) {
+  return typed.find('.') == std::string_view::npos ? 0 : last_place(typed) / 2;
 }
 
 }  // namespace blossom

@@ -48,6 +48,9 @@ std::optional<Exact> parse_typed(std::string_view text);
 enum class Fit : std::uint8_t { inside, outside, no_number };
 Fit fit(const Window&, std::string_view typed);
 
+// One unit of the last digit of a typed decimal: 0.01 of "3.25", 1 of "325"; 0 of a fraction.
+double last_place(std::string_view typed);
+
 // How far the number behind a typed decimal may be from it: half a unit of its last digit; 0 for whole numbers and
 // fractions, which are what they are.
 double rounding_of(std::string_view typed);

@@ -56,16 +56,6 @@ void with_misconception(const Exercise& exercise, const Misconception& misconcep
 
 }  // namespace
 
-bool agrees(const Part& part, NumbersView<Exact> traced, const Numbers<Exact>& typed,
-            const std::vector<double>& widening) {
-  auto numbers = part.as_typed(traced);
-  if (numbers.empty() || numbers.size() != typed.size()) return false;
-  if (part.as_set) std::ranges::sort(numbers);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (!within(part.tolerance, numbers[i], typed[i], i < widening.size() ? widening[i] : 0)) return false;
-  return true;
-}
-
 KnownMistakes::KnownMistakes(const Exercise& exercise, const ReplayPlan& plan)
     : exercise_(&exercise), of_part_(exercise.parts.size()) {
   Replayed replayed(exercise, plan);
@@ -112,7 +102,13 @@ std::vector<const Misconception*> OwnMistakes::find(const std::vector<Given>& gi
 std::optional<std::string> find_slip(const Part& part, NumbersView<Exact> expected, const Typed& typed) {
   constexpr std::string_view coordinate[] = {"x", "y", "z"};
   const std::size_t count = typed.numbers.size();
-  const auto is = [&](const Numbers<Exact>& numbers) { return agrees(part, expected, numbers); };
+  auto right = part.as_typed(expected);
+  if (right.size() != count) return std::nullopt;
+  if (part.as_set) std::ranges::sort(right);
+  const auto is = [&](const Numbers<Exact>& numbers) {
+    return std::ranges::equal(numbers, right,
+                              [&](const Exact& t, const Exact& v) { return within(part.tolerance, v, t); });
+  };
   const auto place = [&](std::size_t i) -> std::string {
     if (count == 1) return "the number";
     if (part.kind == ValueKind::list) return "number " + std::to_string(i + 1);
@@ -142,7 +138,9 @@ std::optional<std::string> find_slip(const Part& part, NumbersView<Exact> expect
       const auto is_digit = [&](std::size_t at) { return '0' <= text[at] && text[at] <= '9'; };
       if (!is_digit(c - 1) || !is_digit(c) || text[c] == text[c - 1]) continue;
       std::swap(text[c - 1], text[c]);
-      if (auto number = parse_typed(text)) {
+      // The digits before they were transposed are those of the right number, as far as they go.
+      auto number = parse_typed(text);
+      if (number && abs(*number - right[i]) <= Exact(last_place(text) / 2)) {
         changed[i] = std::move(*number);
         if (is(changed)) return "Two digits are transposed in " + place(i) + ".";
         changed[i] = typed.numbers[i];

@@ -29,10 +29,6 @@ class KnownMistakes {
   std::vector<std::vector<Mistake>> of_part_;
 };
 
-// Whether typed numbers are `traced`, within the part's tolerance and, if given, a widening for each number.
-bool agrees(const Part&, NumbersView<Exact> traced, const Numbers<Exact>& typed,
-            const std::vector<double>& widening = {});
-
 // The same on somebody's own values: tries every misconception on the parts that are still open, in one or a few
 // replays each.
 class OwnMistakes {
@@ -47,7 +43,9 @@ class OwnMistakes {
   const ReplayPlan* plan_;
 };
 
-// A slip against the expected value: a sign, two coordinates exchanged, two digits transposed. In words.
+// A slip against the expected value: a sign, two coordinates exchanged, two digits transposed. In words. What is meant
+// must be within the tolerance; of transposed digits it must be the expected number itself, rounded to so many digits:
+// otherwise any digit behind those that count could be exchanged with one that does.
 std::optional<std::string> find_slip(const Part&, NumbersView<Exact> expected, const Typed&);
 
 }  // namespace blossom

@@ -74,8 +74,13 @@ std::optional<Tolerance> read_tolerance(const Cursor& at) {
     return Tolerance{Tolerance::Kind::absolute, 0, std::move(*x)};
   }
   if (const auto amount = at.optional("relative")) {
-    auto x = number_in(*amount, Exact(0), Exact(1), "must be from 0 to 1");
+    const char* const rule = "must be at least 0 and below 1";
+    auto x = number_in(*amount, Exact(0), Exact(1), rule);
     if (!x) return std::nullopt;
+    if (*x == Exact(1)) {
+      amount->error(std::string(rule) + ", or 0 would be right everywhere");
+      return std::nullopt;
+    }
     return Tolerance{Tolerance::Kind::relative, 0, std::move(*x)};
   }
   return std::nullopt;
@@ -116,6 +121,7 @@ class ExerciseReader {
     const auto ask = root_.required("ask");
     if (!ask || !ask->expect_array(1, most_parts)) return;
     for (std::size_t i = 0; i < ask->size(); ++i) read_ask((*ask)[i], ran);
+    if (const auto at = root_.optional("tolerance")) check_absolute(*at, exercise.tolerance, largest_);
     if (ran && !ask->has_errors() && exercise.max_points == Exact(0))
       ask->error("must be worth more than 0 points in all");
   }
@@ -151,8 +157,9 @@ class ExerciseReader {
       const auto found = one_of<bool>(*as, {{"set", true}, {"list", false}});
       model.as_set = found && *found;
     }
-    if (const auto tolerance = at.optional("tolerance"))
-      if (auto found = read_tolerance(*tolerance)) model.tolerance = std::move(*found);
+    const auto own_tolerance = at.optional("tolerance");
+    if (own_tolerance)
+      if (auto found = read_tolerance(*own_tolerance)) model.tolerance = std::move(*found);
     if (const auto feedback = at.optional("feedback"))
       if (auto found = feedback->string()) model.feedback = std::move(*found);
 
@@ -177,6 +184,7 @@ class ExerciseReader {
     // P[*][*] means the points that are computed.
     std::erase_if(values, [&](ValueId v) { return trace.is_input(v); });
     if (values.empty()) value->error(excerpt(*text) + " is given and cannot be asked; " + usual());
+    const std::size_t first = exercise.parts.size();
     for (const ValueId v : values) {
       Part part = model;
       part.value = v;
@@ -191,6 +199,23 @@ class ExerciseReader {
         add(std::move(part), *value, form, as);
       }
     }
+    Exact largest = 0;
+    for (std::size_t i = first; i < exercise.parts.size(); ++i)
+      if (exercise.parts[i].kind != ValueKind::integer)
+        for (const Exact& x : exercise.parts[i].right) largest = std::max(largest, abs(x));
+    if (own_tolerance)
+      check_absolute(*own_tolerance, model.tolerance, largest);
+    else
+      largest_ = std::max(largest_, largest);
+  }
+
+  // Whether an absolute tolerance tells the asked numbers from 0, of which `largest` is the size of the largest.
+  void check_absolute(const Cursor& at, const Tolerance& tolerance, const Exact& largest) const {
+    if (tolerance.kind != Tolerance::Kind::absolute || largest == Exact(0)) return;
+    const Exact most = largest / Exact(10);
+    if (most < tolerance.amount)
+      at.error("accepts nearly everything: an absolute tolerance must be at most " + format_number(most.to_double()) +
+               ", a tenth of the largest number it is for");
   }
 
   // What exercises on this algorithm usually ask.
@@ -243,6 +268,7 @@ class ExerciseReader {
 
   const Cursor& root_;
   std::optional<Narrator<Exact>> narrator_;
+  Exact largest_ = 0;  // size of an asked number with the exercise's tolerance
 };
 
 }  // namespace
@@ -282,6 +308,16 @@ Numbers<Exact> Part::as_traced(NumbersView<Exact> typed, NumbersView<Exact> mode
   for (std::size_t i = 0; i < d; ++i) traced[i] = form == Form::affine && rational ? typed[i] * model[3] : typed[i];
   if (form == Form::homogeneous) traced[3] = typed[d];
   return traced;
+}
+
+bool agrees(const Part& part, NumbersView<Exact> traced, const Numbers<Exact>& typed,
+            const std::vector<double>& widening) {
+  auto numbers = part.as_typed(traced);
+  if (numbers.empty() || numbers.size() != typed.size()) return false;
+  if (part.as_set) std::ranges::sort(numbers);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (!within(part.tolerance, numbers[i], typed[i], i < widening.size() ? widening[i] : 0)) return false;
+  return true;
 }
 
 std::optional<std::size_t> Exercise::part(std::string_view name) const {

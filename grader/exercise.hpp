@@ -62,6 +62,10 @@ struct Part {
   Numbers<Exact> as_traced(NumbersView<Exact> typed, NumbersView<Exact> model) const;
 };
 
+// Whether typed numbers are `traced`, within the part's tolerance and, if given, a widening for each number.
+bool agrees(const Part&, NumbersView<Exact> traced, const Numbers<Exact>& typed,
+            const std::vector<double>& widening = {});
+
 // Looks names up without making strings of them.
 struct NameHash {
   using is_transparent = void;

@@ -46,6 +46,8 @@ std::string sentence(std::string_view text) {
 
 std::string_view verdict_name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
 
+std::string advice_of(const Misconception& m) { return sentence(m.title) + " " + std::string(m.advice); }
+
 double Grade::score() const { return (points / exercise->max_points).to_double(); }
 
 Grader::Grader(Exercise exercise)
@@ -57,7 +59,8 @@ Grader::Grader(Exercise exercise)
   trace.find({});  // builds its index now, so that grading changes nothing
   Replayed right(exercise_, plan_);
   right.run(std::vector<Given>(exercise_.parts.size(), Given{Given::Kind::right}));
-  for (const Part& part : exercise_.parts) right_is_trivial_.push_back(right.trivial(part.value) ? 1 : 0);
+  const auto trivial = right.trivial();
+  for (const Part& part : exercise_.parts) right_is_trivial_.push_back(trivial[part.value]);
 }
 
 // The answers that are not right, with what is known of them so far.
@@ -154,6 +157,7 @@ void Grader::judge(const Open& open, Grade& grade) const {
   meant.run(open.as_meant);
   std::optional<Replayed> written;
   if (open.rounded) written.emplace(exercise_, plan_).run(open.as_typed);
+  std::vector<char> trivial;
   for (std::size_t i = 0; i < count; ++i) {
     if (left[i] == 0) continue;
     const Part& part = exercise_.parts[i];
@@ -163,7 +167,8 @@ void Grader::judge(const Open& open, Grade& grade) const {
     };
     if (!carries(meant, meant.widening(part)) && !(written && carries(*written, {}))) continue;
     left[i] = 0;
-    if (meant.trivial(part.value) && right_is_trivial_[i] == 0)
+    if (trivial.empty()) trivial = meant.trivial();
+    if (trivial[part.value] != 0 && right_is_trivial_[i] == 0)
       settle(i, Verdict::wrong, 0,
              "It follows from your earlier values, but with those (all equal or zero, or a ratio that only copies a "
              "point) there is nothing left to compute, so it earns no points.");
@@ -176,7 +181,7 @@ void Grader::judge(const Open& open, Grade& grade) const {
   bool any_own = false;
   const auto settle_misconception = [&](std::size_t i, const Misconception& m) {
     left[i] = 0;
-    settle(i, Verdict::misconception, exercise_.misconception, sentence(m.title) + " " + std::string(m.advice), m.id);
+    settle(i, Verdict::misconception, exercise_.misconception, advice_of(m), m.id);
   };
   for (std::size_t i = 0; i < count; ++i) {
     if (left[i] == 0) continue;

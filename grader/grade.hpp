@@ -20,6 +20,9 @@ enum class Verdict : std::uint8_t {
 inline constexpr std::size_t verdict_count = 7;
 std::string_view verdict_name(Verdict);
 
+// What is said of a misconception: its title and its advice, as sentences.
+std::string advice_of(const Misconception&);
+
 struct PartGrade {
   Verdict verdict = Verdict::missing;
   Exact points = 0;

@@ -14,11 +14,11 @@ using namespace blossom;
 constexpr int done = 0, input_at_fault = 1, usage = 2, machine = 3;
 
 constexpr const char* manual = R"(Examples:
-  blossom-grade exercises/de-boor.json alice.json bob.json
+  blossom-grade exercises/05-de-boor.json alice.json bob.json
       A block for each student, and a table of scores.
-  blossom-grade exercises/de-boor.json answers/*.json --format json > grades.jsonl
+  blossom-grade exercises/05-de-boor.json answers/*.json --format json > grades.jsonl
       One JSON object per submission and line, in the order of the files.
-  curl -s https://example.org/answer/17 | blossom-grade exercises/de-boor.json - --format json
+  curl -s https://example.org/answer/17 | blossom-grade exercises/05-de-boor.json - --format json
       One submission from standard input.
 
 An answers file:
@@ -87,6 +87,9 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember(formats))
       ->option_text("FORMAT (default: text)");
   app.footer(manual);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return "blossom-grade: " + std::string(error.what()) + "\nTry `blossom-grade --help`.\n";
+  });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

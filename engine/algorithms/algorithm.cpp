@@ -6,22 +6,23 @@ template <Scalar S>
 Inputs<S> convert(const Inputs<Exact>& inputs) {
   Inputs<S> converted;
   for (const auto& [name, value] : inputs.values) {
-    converted.values.emplace(name, std::visit(
-                                       [](const auto& x) -> InputValue<S> {
-                                         using T = std::decay_t<decltype(x)>;
-                                         if constexpr (std::is_same_v<T, Exact>) {
-                                           return from_exact<S>(x);
-                                         } else if constexpr (std::is_same_v<T, std::vector<Curve<Exact>>>) {
-                                           std::vector<Curve<S>> curves;
-                                           for (const auto& c : x) curves.push_back(blossom::convert<S>(c));
-                                           return curves;
-                                         } else if constexpr (std::is_same_v<T, int> || std::is_same_v<T, std::string>) {
-                                           return x;
-                                         } else {
-                                           return blossom::convert<S>(x);
-                                         }
-                                       },
-                                       value));
+    converted.values.emplace(name,
+                             std::visit(
+                                 [](const auto& x) -> InputValue<S> {
+                                   using T = std::decay_t<decltype(x)>;
+                                   if constexpr (std::is_same_v<T, Exact>) {
+                                     return from_exact<S>(x);
+                                   } else if constexpr (std::is_same_v<T, std::vector<Curve<Exact>>>) {
+                                     std::vector<Curve<S>> curves;
+                                     for (const auto& c : x) curves.push_back(blossom::convert<S>(c));
+                                     return curves;
+                                   } else if constexpr (std::is_same_v<T, int> || std::is_same_v<T, std::string>) {
+                                     return x;
+                                   } else {
+                                     return blossom::convert<S>(x);
+                                   }
+                                 },
+                                 value));
   }
   return converted;
 }

@@ -1,7 +1,7 @@
 #pragma once
-// What an algorithm is to everybody but itself: its inputs, how to run it, and everything that explains, draws, asks about
-// and marks its values. One algorithm is one file in this folder, which defines `const Algorithm& NAME()` for a file
-// NAME.cpp; the table of all of them is written by the build.
+// What an algorithm is to everybody but itself: its inputs, how to run it, and everything that explains, draws, asks
+// about and marks its values. One algorithm is one file in this folder, which defines `const Algorithm& NAME()` for a
+// file NAME.cpp; the table of all of them is written by the build.
 
 #include <functional>
 #include <map>
@@ -71,7 +71,17 @@ struct ValueSpec {
   int line = 0;                           // of the pseudo-code, from 1; 0: none (an input)
   std::string_view narration = {};        // a template, see narrate.hpp
   Draw draw = Draw::none;
-  bool tableau = false;                   // belongs into the triangular scheme (column: first index)
+  bool tableau = false;  // belongs into the triangular scheme (column: first index, of two)
+
+  // Other words, or another line, in special cases. The first that applies counts: made by this rule (empty: any), and
+  // this sum of whole numbers, as in a template's index, is positive (empty: always).
+  struct Case {
+    std::string_view rule = {};
+    std::string_view positive = {};
+    int line = 0;                     // 0: the line above
+    std::string_view narration = {};  // empty: the narration above
+  };
+  std::vector<Case> cases = {};
 };
 
 struct PhaseSpec {
@@ -151,7 +161,9 @@ struct Algorithm {
 template <auto run>
 void set_runners(Algorithm& algorithm) {
   const auto fill = []<Scalar S>(Runner<S>& runner) {
-    runner.recorded = [](const Inputs<S>& inputs, TraceRecorder<S>& recorder) -> Outcome<S> { return run(inputs, recorder); };
+    runner.recorded = [](const Inputs<S>& inputs, TraceRecorder<S>& recorder) -> Outcome<S> {
+      return run(inputs, recorder);
+    };
     runner.plain = [](const Inputs<S>& inputs) -> Outcome<S> {
       NoRecorder<S> recorder;
       return run(inputs, recorder);

@@ -1,9 +1,32 @@
 #pragma once
-// What several algorithms' files share: the misconceptions that any chain of affine combinations invites.
+// What several algorithms' files share: what they demand of a parameter, and the misconceptions that any chain of
+// affine combinations invites.
 
 #include "algorithms/algorithm.hpp"
 
 namespace blossom {
+
+// Whether the algorithm can take the parameter u: it lies in the curve's domain, and is a knot in exact arithmetic if
+// and only if it is one when rounded to double (else the two would take different steps). Says at the input "u" if not.
+inline bool check_parameter(const Inputs<Exact>& inputs, const std::function<Cursor(std::string_view)>& at) {
+  const auto& curve = inputs.curve("curve");
+  const Exact& u = inputs.number("u");
+  const Exact begin = curve.domain_begin(), end = curve.domain_end();
+  if (u < begin || end < u) {
+    const std::string shown = format_brief(u);
+    const bool told_apart = shown != format_brief(u < begin ? begin : end);
+    at("u").error("must lie in the domain [" + format_brief(begin) + ", " + format_brief(end) + "]" +
+                  (told_apart ? ", not at " + shown : "; it lies just outside"));
+    return false;
+  }
+  for (std::size_t i = 0; i < curve.knots.size(); ++i) {
+    if (u == curve.knots[i] || u.to_double() != curve.knots[i].to_double()) continue;
+    at("u").error("differs from the knot u_" + std::to_string(i) + " = " + format_brief(curve.knots[i]) +
+                  " by less than a double can tell; make them equal or move them apart");
+    return false;
+  }
+  return true;
+}
 
 inline bool is_blend(const Site& site) { return site.trace().value(site.value()).rule == &rule_info<Blend>; }
 
@@ -16,50 +39,53 @@ inline Numbers<Exact> blend(NumbersView<Exact> a, NumbersView<Exact> A, NumbersV
 
 // (1-u) and u exchanged.
 inline Misconception swapped_weights() {
-  return {"swapped-weights", "the weights are swapped",
-          "The weight of each point is the distance to the other one: at u = 0 the result is the first point, so the first "
-          "point gets 1-u and the second gets u.",
-          [](const Site& site) -> std::vector<Numbers<Exact>> {
-            if (!is_blend(site)) return {};
-            return {blend(site.operand(0), site.operand(2), site.operand(1))};
-          }};
+  return {
+      "swapped-weights", "the weights are swapped",
+      "The weight of each point is the distance to the other one: at u = 0 the result is the first point, so the first "
+      "point gets 1-u and the second gets u.",
+      [](const Site& site) -> std::vector<Numbers<Exact>> {
+        if (!is_blend(site)) return {};
+        return {blend(site.operand(0), site.operand(2), site.operand(1))};
+      }};
 }
 
 // The homogeneous coordinates given as the point: C = (wx, wy).
 inline Misconception missing_division() {
-  return {"missing-division", "the division by the weight is forgotten",
-          "The algorithm runs in homogeneous coordinates (wx, wy, w): the point itself is (wx/w, wy/w), so divide by the "
-          "weight at the end.",
-          [](const Site& site) -> std::vector<Numbers<Exact>> {
-            if (!site.trace().rational) return {};
-            Numbers<Exact> made;
-            if (site.trace().value(site.value()).rule == &rule_info<Project>) {
-              const auto A = site.operand(0);
-              made.assign(A.begin(), A.end());
-            } else if (is_blend(site)) {
-              made = blend(site.operand(0), site.operand(1), site.operand(2));
-            } else {
-              return {};
-            }
-            made[3] = Exact(1);
-            return {made};
-          }};
+  return {
+      "missing-division", "the division by the weight is forgotten",
+      "The algorithm runs in homogeneous coordinates (wx, wy, w): the point itself is (wx/w, wy/w), so divide by the "
+      "weight at the end.",
+      [](const Site& site) -> std::vector<Numbers<Exact>> {
+        if (!site.trace().rational) return {};
+        Numbers<Exact> made;
+        if (site.trace().value(site.value()).rule == &rule_info<Project>) {
+          const auto A = site.operand(0);
+          made.assign(A.begin(), A.end());
+        } else if (is_blend(site)) {
+          made = blend(site.operand(0), site.operand(1), site.operand(2));
+        } else {
+          return {};
+        }
+        made[3] = Exact(1);
+        return {made};
+      }};
 }
 
 // The points themselves are combined, as though all weights were equal.
 inline Misconception unweighted_points() {
-  return {"unweighted-points", "the control points are used instead of the weighted ones",
-          "Multiply each control point by its weight first: it is (wx, wy, w) that is combined, and the point follows by "
-          "dividing by the combined weight.",
-          [](const Site& site) -> std::vector<Numbers<Exact>> {
-            if (!site.trace().rational || !is_blend(site)) return {};
-            const auto A = site.operand(1);
-            const auto B = site.operand(2);
-            if (A[3] == Exact(0) || B[3] == Exact(0)) return {};
-            const Numbers<Exact> a{A[0] / A[3], A[1] / A[3], A[2] / A[3], Exact(1)};
-            const Numbers<Exact> b{B[0] / B[3], B[1] / B[3], B[2] / B[3], Exact(1)};
-            return {blend(site.operand(0), a, b)};
-          }};
+  return {
+      "unweighted-points", "the control points are used instead of the weighted ones",
+      "Multiply each control point by its weight first: it is (wx, wy, w) that is combined, and the point follows by "
+      "dividing by the combined weight.",
+      [](const Site& site) -> std::vector<Numbers<Exact>> {
+        if (!site.trace().rational || !is_blend(site)) return {};
+        const auto A = site.operand(1);
+        const auto B = site.operand(2);
+        if (A[3] == Exact(0) || B[3] == Exact(0)) return {};
+        const Numbers<Exact> a{A[0] / A[3], A[1] / A[3], A[2] / A[3], Exact(1)};
+        const Numbers<Exact> b{B[0] / B[3], B[1] / B[3], B[2] / B[3], Exact(1)};
+        return {blend(site.operand(0), a, b)};
+      }};
 }
 
 // ---- of the triangle on knots: de Boor's algorithm and knot insertion ---------------------------------------------
@@ -81,23 +107,25 @@ inline Misconception neighbour_knot() {
 
 // P[r-1][i+1] for P[r-1][i-1] as the partner of P[r-1][i].
 inline Misconception wrong_pair() {
-  return {"wrong-pair", "the wrong neighbour is taken",
-          "The point of index i of a level lies between the points i-1 and i of the level before, not between i and i+1.",
-          [](const Site& site) -> std::vector<Numbers<Exact>> {
-            if (!is_blend(site) || site.name().arity != 2) return {};
-            // The partner's right neighbour on its own level.
-            Name next = site.trace().value(site.trace().operands(site.value())[2]).name;
-            ++next.index[next.arity - 1];
-            const auto numbers = site.sibling_numbers(next);
-            if (!numbers) return {};
-            return {blend(site.operand(0), site.operand(2), *numbers)};
-          }};
+  return {
+      "wrong-pair", "the wrong neighbour is taken",
+      "The point of index i of a level lies between the points i-1 and i of the level before, not between i and i+1.",
+      [](const Site& site) -> std::vector<Numbers<Exact>> {
+        if (!is_blend(site) || site.name().arity != 2) return {};
+        // The partner's right neighbour on its own level.
+        Name next = site.trace().value(site.trace().operands(site.value())[2]).name;
+        ++next.index[next.arity - 1];
+        const auto numbers = site.sibling_numbers(next);
+        if (!numbers) return {};
+        return {blend(site.operand(0), site.operand(2), *numbers)};
+      }};
 }
 
 // The knot span is off by one, or, at a knot, the one that ends there.
 inline Misconception wrong_span() {
   return {"wrong-span", "the knot span is off by one",
-          "k is the index with u_k <= u < u_{k+1}: indices start at 0, and at a knot the span begins with the last knot equal "
+          "k is the index with u_k <= u < u_{k+1}: indices start at 0, and at a knot the span begins with the last "
+          "knot equal "
           "to u.",
           [](const Site& site) -> std::vector<Numbers<Exact>> {
             if (!(site.name() == "k"_v())) return {};

@@ -7,11 +7,7 @@ namespace blossom {
 namespace {
 
 void check(const Inputs<Exact>& inputs, const std::function<Cursor(std::string_view)>& at) {
-  const auto& curve = inputs.curve("curve");
-  const Exact& u = inputs.number("u");
-  if (u < curve.domain_begin() || curve.domain_end() < u)
-    at("u").error("must lie in the domain [" + curve.domain_begin().to_string() + ", " + curve.domain_end().to_string() +
-                  "], not at " + u.to_string());
+  check_parameter(inputs, at);
 }
 
 constexpr auto run = []<class In, class R>(const In& inputs, R& rec) -> Outcome<typename R::Number> {
@@ -27,7 +23,8 @@ std::vector<Numbers<Exact>> point_of_wrong_span(const Site& site) {
   const int right = find_span(std::span<const Exact>(curve.knots), curve.degree, u);
   const std::vector<Exact> diagonal(static_cast<std::size_t>(curve.degree), u);
   for (const int k : {right - 1, right + 1}) {
-    if (k < curve.degree || k > curve.n() || curve.knots[static_cast<std::size_t>(k)] == curve.knots[static_cast<std::size_t>(k) + 1])
+    if (k < curve.degree || k > curve.n() ||
+        curve.knots[static_cast<std::size_t>(k)] == curve.knots[static_cast<std::size_t>(k) + 1])
       continue;
     const auto C = blossom::blossom(curve, k, std::span<const Exact>(diagonal));
     if (C.w == Exact(0)) continue;
@@ -64,23 +61,44 @@ const Algorithm& de_boor() {
         {"u", {}, "the parameter"},
         {"U", {}, "the knot vector"},
         {"U", {"i"}, "the knot u_i"},
-        {"k", {}, "the span of u", 1,
-         "u = {u} lies in the span [u_{k}, u_{k+1}) = [{U[k]}, {U[k+1]}), so k = {k}: only the control points from index {k-p} "
+        {"k",
+         {},
+         "the span of u",
+         1,
+         "u = {u} lies in the span [u_{k}, u_{k+1}) = [{U[k]}, {U[k+1]}), so k = {k}: only the control points from "
+         "index {k-p} "
          "to {k} count."},
-        {"s", {}, "the multiplicity of u", 2,
-         "How often is {u} a knot already? s = {s}, so there are p - s = {p-s} levels to compute."},
-        {"alpha", {"r", "i"}, "the ratio for P[r][i]", 5,
-         "alpha[{r}][{i}] = (u - u_{i}) / (u_{i+p-r+1} - u_{i}) = {numbers} = {value}."},
-        {"P", {"r", "i"}, "the point i of level r (level 0: the control points)", 6,
+        {"s",
+         {},
+         "the multiplicity of u",
+         2,
+         "How often is {u} a knot already? s = {s}, so there are p - s = {p-s} levels to compute.",
+         ValueSpec::Draw::none,
+         false,
+         {{"", "s-p+1", 0,
+           "u = {u} is a knot of multiplicity s = {s}, and the degree is p = {p}: the curve passes through a control "
+           "point "
+           "there, and no level is left to compute."}}},
+        {"alpha", {"r", "i"}, "the ratio for P[r][i]", 5, "alpha[{r}][{i}] = {chain}."},
+        {"P",
+         {"r", "i"},
+         "the point i of level r (level 0: the control points)",
+         6,
          "Level {r}: P[{r}][{i}] divides the segment from {#P[r-1][i-1]} to {#P[r-1][i]} at alpha = {alpha[r][i]}: "
          "(1 - {alpha[r][i]}) {~P[r-1][i-1]} + {alpha[r][i]} {~P[r-1][i]} = {value}.",
-         ValueSpec::Draw::level, true},
-        {"C", {}, "the point on the curve", 7, "One point is left: the point of the curve at u = {u} is C = {value}.",
+         ValueSpec::Draw::level,
+         true},
+        {"C",
+         {},
+         "the point on the curve",
+         7,
+         "One point is left: the point of the curve at u = {u} is C = {value}.",
          ValueSpec::Draw::point},
     };
     a.rules = {&rule_info<FindSpan>, &rule_info<Multiplicity>, &rule_info<Ratio>,
                &rule_info<Blend>,    &rule_info<Same>,         &rule_info<Project>};
-    a.misconceptions = {swapped_weights(), missing_division(), unweighted_points(), neighbour_knot(), wrong_pair(), wrong_span()};
+    a.misconceptions = {swapped_weights(), missing_division(), unweighted_points(),
+                        neighbour_knot(),  wrong_pair(),       wrong_span()};
     a.misconceptions.back().wrong = point_of_wrong_span;
     a.asks = {"k", "alpha[1][*]", "P[1][*]", "P[*][*]", "C"};
     a.check = check;

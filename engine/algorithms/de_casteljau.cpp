@@ -8,9 +8,10 @@ namespace {
 void check(const Inputs<Exact>& inputs, const std::function<Cursor(std::string_view)>& at) {
   const auto& curve = inputs.curve("curve");
   if (curve.n() != curve.degree || curve.knots != bezier_knots<Exact>(curve.degree))
-    at("curve").error("must be a Bézier curve: leave out \"knots\", and give degree + 1 points; for a B-spline curve use de_boor");
+    at("curve").error(
+        "must be a Bézier curve: leave out \"knots\", and give degree + 1 points; for a B-spline curve use de_boor");
   const Exact& u = inputs.number("u");
-  if (u < Exact(0) || Exact(1) < u) at("u").error("must lie in the domain [0, 1], not at " + u.to_string());
+  if (u < Exact(0) || Exact(1) < u) at("u").error("must lie in the domain [0, 1], not at " + format_brief(u));
 }
 
 constexpr auto run = []<class In, class R>(const In& inputs, R& rec) -> Outcome<typename R::Number> {
@@ -48,16 +49,26 @@ const Algorithm& de_casteljau() {
     a.given_narration = "The control points P[0][0] to P[0][n] of a Bézier curve, and the parameter u = {u}.";
     a.values = {
         {"u", {}, "the parameter"},
-        {"P", {"r", "i"}, "the point i of level r (level 0: the control points)", 3,
+        {"P",
+         {"r", "i"},
+         "the point i of level r (level 0: the control points)",
+         3,
          "Level {r}: divide the segment from {#P[r-1][i]} to {#P[r-1][i+1]} at u = {u}: "
          "P[{r}][{i}] = (1 - {u}) {~P[r-1][i]} + {u} {~P[r-1][i+1]} = {value}.",
-         ValueSpec::Draw::level, true},
-        {"C", {}, "the point on the curve", 4, "One point is left: the point of the curve at u = {u} is C = {value}.",
+         ValueSpec::Draw::level,
+         true},
+        {"C",
+         {},
+         "the point on the curve",
+         4,
+         "One point is left: the point of the curve at u = {u} is C = {value}.",
          ValueSpec::Draw::point},
     };
     a.rules = {&rule_info<Blend>, &rule_info<Same>, &rule_info<Project>};
     a.misconceptions = {
-        swapped_weights(), missing_division(), unweighted_points(),
+        swapped_weights(),
+        missing_division(),
+        unweighted_points(),
         {"wrong-pair", "the point on the wrong side is taken",
          "P[r][i] lies between P[r-1][i] and its right neighbour P[r-1][i+1], not between P[r-1][i-1] and P[r-1][i].",
          wrong_pair},

@@ -6,19 +6,15 @@ namespace blossom {
 namespace {
 
 void check(const Inputs<Exact>& inputs, const std::function<Cursor(std::string_view)>& at) {
+  if (!check_parameter(inputs, at)) return;
   const auto& curve = inputs.curve("curve");
   const Exact& u = inputs.number("u");
-  if (u < curve.domain_begin() || curve.domain_end() < u) {
-    at("u").error("must lie in the domain [" + curve.domain_begin().to_string() + ", " + curve.domain_end().to_string() +
-                  "], not at " + u.to_string());
-    return;
-  }
   const int p = curve.degree;
   const int s = multiplicity(std::span<const Exact>(curve.knots), u);
   const int times = inputs.integer("times");
   if (s >= p)
-    at("u").error("is a knot of multiplicity " + std::to_string(s) + " already: nothing can be inserted beyond the degree " +
-                  std::to_string(p));
+    at("u").error("is a knot of multiplicity " + std::to_string(s) +
+                  " already: nothing can be inserted beyond the degree " + std::to_string(p));
   else if (s + times > p)
     at("times").error("must be at most " + std::to_string(p - s) + " here: u has multiplicity " + std::to_string(s) +
                       " and the degree is " + std::to_string(p));
@@ -57,8 +53,13 @@ const Algorithm& knot_insertion() {
     a.inputs = {
         {"curve", InputSpec::Type::curve, "A curve of any kind; clamped or not."},
         {"u", InputSpec::Type::number, "The new knot, in the domain."},
-        {"times", InputSpec::Type::integer, "How often it is inserted; its multiplicity may grow up to the degree.", 1, max_degree,
-         {}, "1"},
+        {"times",
+         InputSpec::Type::integer,
+         "How often it is inserted; its multiplicity may grow up to the degree.",
+         1,
+         max_degree,
+         {},
+         "1"},
     };
     a.pseudo_code = {
         "find k with u_k <= u < u_{k+1}",
@@ -75,25 +76,47 @@ const Algorithm& knot_insertion() {
         {"p", {}, "the degree"},
         {"u", {}, "the new knot"},
         {"h", {}, "how often it is inserted"},
-        {"U", {}, "the knot vector"},
+        {"U", {}, "the knot vector", 0, "Its knots are U = {value}."},
         {"U", {"i"}, "the knot u_i"},
-        {"P", {"i"}, "the control point P_i", 0, "", ValueSpec::Draw::polygon},
-        {"k", {}, "the span of u", 1, "u = {u} falls into the span [u_{k}, u_{k+1}) of U = {U}, so k = {k}."},
-        {"s", {}, "the multiplicity of u before", 2, "u = {u} is a knot s = {s} times already."},
-        {"alpha", {"r", "i"}, "the ratio for Q[r][i]", 5,
-         "alpha[{r}][{i}] = {formula} = {numbers} = {value}."},
-        {"Q", {"r", "i"}, "the point i after the r-th insertion", 6,
-         "Insertion {r}: {name} divides its segment at alpha = {alpha[r][i]}: {numbers} = {value}.", ValueSpec::Draw::level, true},
+        {"P", {"i"}, "the control point P_i", 0, "", ValueSpec::Draw::polygon, true},
+        {"k", {}, "the span of u", 1, "u = {@0} falls into the span [u_{k}, u_{k+1}) of U = {@1}, so k = {k}."},
+        {"s",
+         {},
+         "the multiplicity of u before",
+         2,
+         "u = {@0} is a knot already, of multiplicity s = {s}.",
+         ValueSpec::Draw::none,
+         false,
+         {{"", "1-s", 0, "u = {@0} is no knot yet: s = 0."}}},
+        {"alpha", {"r", "i"}, "the ratio for Q[r][i]", 5, "alpha[{r}][{i}] = {chain}."},
+        {"Q",
+         {"r", "i"},
+         "the point i after the r-th insertion",
+         6,
+         "Insertion {r}: {name} divides its segment at alpha = {alpha[r][i]}: {numbers} = {value}.",
+         ValueSpec::Draw::level,
+         true},
         {"Ubar", {}, "the new knot vector", 7, "The new knot vector: Ubar = {value}."},
-        {"Q", {"i"}, "the new control point Q_i", 8,
-         "The new control polygon cuts corners off the old one; the curve is the same.", ValueSpec::Draw::polygon},
+        {"Q",
+         {"i"},
+         "the new control point Q_i",
+         8,
+         "The new control polygon cuts corners off the old one; the curve is the same.",
+         ValueSpec::Draw::polygon},
     };
-    a.phases = {{"collect", "The new control net", 8, "All that is left is to write down the new control points in order."}};
-    a.rules = {&rule_info<LastKnot>, &rule_info<Multiplicity>, &rule_info<Ratio>, &rule_info<Blend>, &rule_info<Same>,
-               &rule_info<InsertKnot>};
-    a.misconceptions = {swapped_weights(), missing_division(), unweighted_points(), neighbour_knot(), wrong_pair(), wrong_span(),
-                        {"misplaced-knot", "the new knot stands at the wrong place of the knot vector",
-                         "Knots are in order: the new one goes behind the last knot that is not greater than it.", misplaced_knot}};
+    a.phases = {
+        {"collect", "The new control net", 8, "All that is left is to write down the new control points in order."}};
+    a.rules = {&rule_info<LastKnot>, &rule_info<Multiplicity>, &rule_info<Ratio>,
+               &rule_info<Blend>,    &rule_info<Same>,         &rule_info<InsertKnot>};
+    a.misconceptions = {
+        swapped_weights(),
+        missing_division(),
+        unweighted_points(),
+        neighbour_knot(),
+        wrong_pair(),
+        wrong_span(),
+        {"misplaced-knot", "the new knot stands at the wrong place of the knot vector",
+         "Knots are in order: the new one goes behind the last knot that is not greater than it.", misplaced_knot}};
     a.asks = {"k", "alpha[1][*]", "Q[1][*]", "Ubar", "Q[*]"};
     a.check = check;
     set_runners<run>(a);

@@ -11,10 +11,10 @@ namespace blossom {
 template <Scalar S>
 struct Narrator<S>::Context {
   std::uint32_t step;
-  ValueId value;                        // the step's main value, or absent
-  std::string scope;                    // where unqualified names are looked up first
-  const ValueSpec* spec = nullptr;      // of the main value
-  std::uint32_t phase = absent;           // the phase the step is in
+  ValueId value;                    // the step's main value, or absent
+  std::string scope;                // where unqualified names are looked up first
+  const ValueSpec* spec = nullptr;  // of the main value
+  std::uint32_t phase = absent;     // the phase the step is in
 };
 
 template <Scalar S>
@@ -24,7 +24,8 @@ template <Scalar S>
 std::string Narrator<S>::number(const S& x) const {
   if (digits_ == 0 || (std::same_as<S, Exact> && !is_approximate(x))) return format_number(x);
   std::array<char, 40> rounded;
-  std::snprintf(rounded.data(), rounded.size(), "%.*e", digits_ - 1, to_double(x));  // rounds; then the shortest text of it
+  std::snprintf(rounded.data(), rounded.size(), "%.*e", digits_ - 1,
+                to_double(x));  // rounds; then the shortest text of it
   return format_number(std::strtod(rounded.data(), nullptr));
 }
 
@@ -68,8 +69,32 @@ int Narrator<S>::line(std::uint32_t step) const {
   }
   const ValueId v = trace().main_value(step);
   if (v == absent || trace().is_input(v)) return 0;
-  const ValueSpec* spec = spec_of(algorithm, *run_->algorithm, trace().value(v).name);
-  return spec != nullptr ? spec->line : 0;
+  const Context context = context_at(step);
+  if (context.spec == nullptr) return 0;
+  const ValueSpec::Case* special = case_at(context);
+  return special != nullptr && special->line > 0 ? special->line : context.spec->line;
+}
+
+template <Scalar S>
+auto Narrator<S>::context_at(std::uint32_t step) const -> Context {
+  Context context{step, trace().main_value(step), "", nullptr, trace().step(step).phase};
+  if (context.value == absent) return context;
+  context.spec = spec_of(algorithm_at(step), *run_->algorithm, trace().value(context.value).name);
+  // Other values of the step are looked up where the phase is, not where an outer name belongs.
+  for (const std::uint32_t phase : trace().phase_path(context.phase))
+    if (trace().phases()[phase].scoped) context.scope += trace().phases()[phase].label() + ".";
+  return context;
+}
+
+template <Scalar S>
+const ValueSpec::Case* Narrator<S>::case_at(const Context& context) const {
+  const RuleInfo* rule = trace().value(context.value).rule;
+  for (const ValueSpec::Case& special : context.spec->cases) {
+    if (!special.rule.empty() && (rule == nullptr || special.rule != rule->name)) continue;
+    if (!special.positive.empty() && index(special.positive, context).value_or(0) <= 0) continue;
+    return &special;
+  }
+  return nullptr;
 }
 
 template <Scalar S>
@@ -90,12 +115,17 @@ std::string Narrator<S>::text(std::uint32_t step) const {
     const PhaseSpec* spec = algorithm.phase(record.id);
     narration = spec != nullptr ? spec->narration : std::string_view("Next: {phase}.");
   } else {
-    const ValueId v = trace().main_value(step);
-    if (v == absent || trace().is_input(v)) {
+    const Context context = context_at(step);
+    if (step == 0 || context.value == absent) {
       narration = algorithm.given_narration;
+    } else if (context.spec == nullptr) {
+      narration = "{name} = {chain}";
+    } else if (trace().is_input(context.value)) {
+      return fill("{name} = {value}: ", step) + std::string(context.spec->meaning) + ".";
     } else {
-      const ValueSpec* spec = spec_of(algorithm, *run_->algorithm, trace().value(v).name);
-      narration = spec != nullptr && !spec->narration.empty() ? spec->narration : std::string_view("{name} = {formula} = {value}");
+      const ValueSpec::Case* special = case_at(context);
+      narration = special != nullptr && !special->narration.empty() ? special->narration : context.spec->narration;
+      if (narration.empty()) narration = "{name} = {chain}";
     }
   }
   return fill(narration, step);
@@ -129,16 +159,23 @@ std::string Narrator<S>::value_text(ValueId v) const {
   const auto numbers = trace().numbers(v);
   switch (trace().value(v).kind) {
     case ValueKind::integer:
-    case ValueKind::scalar: return number(numbers[0]);
-    case ValueKind::list: return list(numbers);
-    case ValueKind::vector: return operand_text(v);
-    case ValueKind::point: break;
+    case ValueKind::scalar:
+      return number(numbers[0]);
+    case ValueKind::list:
+      return list(numbers);
+    case ValueKind::vector:
+      return operand_text(v);
+    case ValueKind::point:
+      break;
   }
   std::vector<S> shown(numbers.begin(), numbers.begin() + trace().dimension);
   // The point on a rational curve, after the division, is an ordinary one.
   if (!trace().rational || trace().value(v).rule == &rule_info<Project>) return list(shown);
   const S& w = numbers[3];
-  if (w == S(0)) return "at infinity, direction " + list(shown);
+  if (w == S(0)) {
+    const bool nothing = std::ranges::all_of(shown, [](const S& x) { return x == S(0); });
+    return nothing ? std::string("no point, w = 0") : "at infinity, direction " + list(shown);
+  }
   for (S& x : shown) x = x / w;
   return list(shown) + ", w = " + number(w);
 }
@@ -181,6 +218,9 @@ std::string Narrator<S>::formula(ValueId v) const {
   for (const ValueId o : trace().operands(v)) {
     std::string name = trace().name(o);
     if (name.starts_with(scope)) name.erase(0, scope.size());  // within one phase the local name reads better
+    const Name& record = trace().value(o).name;
+    if (record.symbol == Symbol::of("U") && record.arity == 1 && trace().value(o).kind == ValueKind::scalar)
+      name = "u_" + std::to_string(record.index[0]);
     names.push_back(std::move(name));
   }
   return fill_formula(trace().value(v).rule->formula, names);
@@ -190,17 +230,37 @@ template <Scalar S>
 std::string Narrator<S>::numbers(ValueId v) const {
   if (trace().is_input(v)) return value_text(v);
   std::vector<std::string> values;
-  const bool listed = trace().value(v).rule->formula.find("{*}") != std::string_view::npos;
+  const std::string_view formula = trace().value(v).rule->formula;
+  const bool listed = formula.find("{*}") != std::string_view::npos;
   for (const ValueId o : trace().operands(v)) {
-    std::string text = operand_text(o);
-    // Inside a formula (not in a list between commas) a negative number needs its parentheses, and so does a fraction that
-    // is itself divided.
-    const bool divided = trace().value(v).rule->formula.find('/') != std::string_view::npos;
-    if (!listed && trace().numbers(o).size() == 1 && (text[0] == '-' || (divided && text.find('/') != std::string::npos)))
+    // A number made from points (a distance) is measured between them in space, not between homogeneous coordinates.
+    const bool measured = trace().value(v).kind == ValueKind::scalar && trace().value(o).kind == ValueKind::point;
+    std::string text = measured ? value_text(o) : operand_text(o);
+    if (measured) text.erase(text.rfind(')') + 1);  // without the weight
+    // Inside a formula (not in a list between commas) a negative number needs its parentheses, and so does a fraction
+    // that is itself divided.
+    const std::string slot = "{" + std::to_string(values.size()) + "}";
+    const bool divided =
+        formula.find(slot + " /") != std::string_view::npos || formula.find("/ " + slot) != std::string_view::npos;
+    if (!listed && trace().numbers(o).size() == 1 &&
+        (text[0] == '-' || (divided && text.find('/') != std::string::npos)))
       text = "(" + text + ")";
     values.push_back(std::move(text));
   }
-  return fill_formula(trace().value(v).rule->formula, values);
+  return fill_formula(formula, values);
+}
+
+template <Scalar S>
+std::string Narrator<S>::chain(ValueId v, bool with_names) const {
+  const std::string value = value_text(v);
+  std::string text = with_names && !trace().is_input(v) ? formula(v) : std::string();
+  std::string filled = numbers(v);
+  std::string tight = filled;  // "1 / 3" says no more than 1/3
+  std::erase(tight, ' ');
+  const bool copy = !trace().is_input(v) && trace().value(v).rule->formula == "{0}";
+  if (!copy && filled != value && tight != value && filled != text) text += (text.empty() ? "" : " = ") + filled;
+  if (value != text) text += (text.empty() ? "" : " = ") + value;
+  return text;
 }
 
 template <Scalar S>
@@ -264,8 +324,9 @@ auto Narrator<S>::resolve(std::string_view reference, const Context& context) co
   for (std::string scope = context.scope;;) {
     if (const auto v = made(scope + name)) return Found{*v, -1};
     if (list_name != 0)
-      if (const auto v = made(scope + name.substr(0, list_name)); v && trace().value(*v).kind == ValueKind::list && element >= 0 &&
-                                                                  element < static_cast<int>(trace().numbers(*v).size()))
+      if (const auto v = made(scope + name.substr(0, list_name));
+          v && trace().value(*v).kind == ValueKind::list && element >= 0 &&
+          element < static_cast<int>(trace().numbers(*v).size()))
         return Found{*v, element};
     if (scope.empty()) return std::nullopt;
     scope.pop_back();
@@ -284,6 +345,13 @@ std::optional<std::string> Narrator<S>::placeholder(std::string_view inside, con
     if (inside == "name") return trace().name(v).substr(trace().scope(v).size());
     if (inside == "formula") return formula(v);
     if (inside == "numbers") return numbers(v);
+    if (inside.size() == 2 && inside[0] == '@' && std::isdigit(static_cast<unsigned char>(inside[1])) != 0) {
+      const auto from = trace().operands(v);
+      const auto n = static_cast<std::size_t>(inside[1] - '0');
+      return n < from.size() ? std::optional(value_text(from[n])) : std::nullopt;
+    }
+    if (inside == "chain") return chain(v, true);
+    if (inside == "result") return chain(v, false);
     if (inside == "polar" && !labels_[v].empty()) return polar(v);
     if (context.spec != nullptr)
       for (std::size_t n = 0; n < context.spec->indices.size(); ++n)
@@ -306,7 +374,8 @@ std::optional<std::string> Narrator<S>::placeholder(std::string_view inside, con
 }
 
 template <Scalar S>
-std::string Narrator<S>::fill_in(std::string_view text, const Context& context, std::vector<std::string>* errors) const {
+std::string Narrator<S>::fill_in(std::string_view text, const Context& context,
+                                 std::vector<std::string>* errors) const {
   std::string filled;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const std::size_t end = text[i] == '{' ? text.find('}', i) : std::string_view::npos;
@@ -328,14 +397,7 @@ std::string Narrator<S>::fill_in(std::string_view text, const Context& context, 
 
 template <Scalar S>
 std::string Narrator<S>::fill(std::string_view text, std::uint32_t step, std::vector<std::string>* errors) const {
-  Context context{step, trace().main_value(step), "", nullptr, trace().step(step).phase};
-  if (context.value != absent) {
-    context.spec = spec_of(algorithm_at(step), *run_->algorithm, trace().value(context.value).name);
-    // Other values of the step are looked up where the phase is, not where an outer name belongs.
-    for (const std::uint32_t phase : trace().phase_path(context.phase))
-      if (trace().phases()[phase].scoped) context.scope += trace().phases()[phase].label() + ".";
-  }
-  return fill_in(text, context, errors);
+  return fill_in(text, context_at(step), errors);
 }
 
 template <Scalar S>

@@ -3,11 +3,14 @@
 //
 // A template is text with placeholders in braces:
 //   {P[r-1][i]}   the value of that name, as the run shows numbers; indices are sums and differences of whole numbers,
-//                 of the indices' names at this step, and of whole-number values such as k, s, p; also element i of a list
+//                 of the indices' names at this step, and of whole-number values such as k, s, p; also element i of a
+//                 list
 //   {#P[r-1][i]}  its name: P[0][3]
 //   {~P[r-1][i]}  its value as a formula takes it: a point of a rational curve as (wx, wy, w); all else as above
 //   {value} {name} {formula} {numbers}   of the step's main value: its value, its name, its formula with names, and the
 //                 formula with numbers filled in
+//   {@0} {@1} ... the values of its operands
+//   {chain} {result}   formula = numbers = value, and numbers = value, without saying anything twice
 //   {polar}       the polar label of the main value
 //   {r}           an index of the main value, by its name in the algorithm's table; {index}: the phase's index
 // A placeholder that names nothing is a mistake: check_template finds it.
@@ -20,8 +23,8 @@ namespace blossom {
 template <Scalar S>
 class Narrator {
  public:
-  // With `digits` > 0, decimals are rounded to that many significant digits, for pictures and for reading; otherwise they
-  // are the shortest that read back as the same number. Fractions are always whole.
+  // With `digits` > 0, decimals are rounded to that many significant digits, for pictures and for reading; otherwise
+  // they are the shortest that read back as the same number. Fractions are always whole.
   explicit Narrator(const Run<S>& run, int digits = 0);
   Narrator(const Narrator&) = delete;
 
@@ -30,18 +33,19 @@ class Narrator {
 
   // The algorithm whose text explains this step: the run's own, or that of the phase around it.
   const Algorithm& algorithm_at(std::uint32_t step) const;
-  std::string kind(std::uint32_t step) const;       // "given", "phase", or the rule's name
-  int line(std::uint32_t step) const;               // of algorithm_at(step)'s pseudo-code; 0: none
-  std::string text(std::uint32_t step) const;       // the narration
-  std::string value_text(ValueId) const;            // "(1/2, 3)", "(1, 2), w = 2", "2/5", "(0, 0, 1, 1)"
-  std::string operand_text(ValueId) const;          // the same, but a point of a rational curve as (wx, wy, w)
-  std::string formula(ValueId) const;               // with names:   (1 - u) P[0][0] + u P[0][1]
-  std::string numbers(ValueId) const;               // with numbers: (1 - 2/5) (0, 0) + 2/5 (1, 2)
-  std::string polar(ValueId) const;                 // "b(0, 2/5, 1)" or ""
+  std::string kind(std::uint32_t step) const;  // "given", "phase", or the rule's name
+  int line(std::uint32_t step) const;          // of algorithm_at(step)'s pseudo-code; 0: none
+  std::string text(std::uint32_t step) const;  // the narration
+  std::string value_text(ValueId) const;       // "(1/2, 3)", "(1, 2), w = 2", "2/5", "(0, 0, 1, 1)"
+  std::string operand_text(ValueId) const;     // the same, but a point of a rational curve as (wx, wy, w)
+  // Knots are written u_3 there, as in books.
+  std::string formula(ValueId) const;  // with names:   (1 - u) P[0][0] + u P[0][1]
+  std::string numbers(ValueId) const;  // with numbers: (1 - 2/5) (0, 0) + 2/5 (1, 2)
+  std::string polar(ValueId) const;    // "b(0, 2/5, 1)" or ""
   std::string phase_title(std::uint32_t phase) const;
 
-  // Fills a template in at a step. Mistakes (a placeholder that names nothing there) go to `errors`, if given, and stand
-  // in the text as they were written.
+  // Fills a template in at a step. Mistakes (a placeholder that names nothing there) go to `errors`, if given, and
+  // stand in the text as they were written.
   std::string fill(std::string_view text, std::uint32_t step, std::vector<std::string>* errors = nullptr) const;
 
   // The triangular scheme of the values up to a step as lines of text, one column for each first index. Empty if the
@@ -50,6 +54,9 @@ class Narrator {
 
  private:
   struct Context;
+  Context context_at(std::uint32_t step) const;
+  const ValueSpec::Case* case_at(const Context&) const;
+  std::string chain(ValueId, bool with_names) const;
   std::optional<std::string> placeholder(std::string_view inside, const Context&) const;
   std::string fill_in(std::string_view text, const Context&, std::vector<std::string>* errors) const;
   struct Found {

@@ -1,5 +1,6 @@
 #include "algorithms/run.hpp"
 
+#include <charconv>
 #include <cmath>
 
 #include "geometry/document.hpp"
@@ -91,7 +92,7 @@ std::optional<Inputs<Exact>> read_inputs(const Algorithm& algorithm, const Curso
 
 namespace {
 
-Diagnostics as_diagnostics(const KernelError& error) { return {Diagnostic{"", 0, 0, "inputs." + error.input, error.message}}; }
+Diagnostics as_diagnostics(const KernelError& error) { return {Diagnostic{"", 0, 0, error.input, error.message}}; }
 
 // Dimension and kind of what is traced: of its curves and surfaces.
 template <Scalar S>
@@ -113,65 +114,140 @@ void describe(const Inputs<S>& inputs, int& dimension, bool& rational) {
   }
 }
 
+template <Scalar S>
 Diagnostics overflow() {
-  return {Diagnostic{"", 0, 0, "inputs",
-                     "on the way numbers become too large for double precision (above 1.8e308): compute exactly, or scale the input down"}};
+  std::string message = "on the way numbers become too large for double precision (above 1.8e308): ";
+  if constexpr (std::same_as<S, double>) {
+    message += "compute exactly, or scale the input down";
+  } else {
+    message += "scale the input down (exact arithmetic has square roots in double precision)";
+  }
+  return {Diagnostic{"", 0, 0, "", message}};
 }
 
 bool is_finite(double x) { return std::isfinite(x); }
-bool is_finite(const Exact&) { return true; }
+bool is_finite(const Exact& x) { return !x.is_approximate() || std::isfinite(x.to_double()); }
 // Its coordinates, too, where it is no point at infinity.
 template <Scalar S>
 bool is_finite(const HPoint<S>& P) {
   if constexpr (std::same_as<S, double>) {
     const double w = P.w == 0 ? 1 : P.w;
     return is_finite(P.x / w) && is_finite(P.y / w) && is_finite(P.z / w) && is_finite(P.w);
+  } else {
+    return is_finite(P.x) && is_finite(P.y) && is_finite(P.z) && is_finite(P.w);
   }
-  return true;
 }
 template <Scalar S>
 bool is_finite(const Outcome<S>& outcome) {
   if (const auto* P = std::get_if<HPoint<S>>(&outcome)) return is_finite(*P);
-  const auto all = [](const auto& points) { return std::ranges::all_of(points, [](const HPoint<S>& P) { return is_finite(P); }); };
+  const auto all = [](const auto& points) {
+    return std::ranges::all_of(points, [](const HPoint<S>& P) { return is_finite(P); });
+  };
   if (const auto* curve = std::get_if<Curve<S>>(&outcome)) return all(curve->points);
   return all(std::get<Surface<S>>(outcome).points);
+}
+template <Scalar S>
+bool is_finite(const Trace<S>& trace) {
+  for (ValueId v = 0; v < trace.value_count(); ++v) {
+    const auto numbers = trace.numbers(v);
+    const bool finite = trace.value(v).kind == ValueKind::point
+                            ? is_finite(HPoint<S>(numbers[0], numbers[1], numbers[2], numbers[3]))
+                            : std::ranges::all_of(numbers, [](const S& x) { return is_finite(x); });
+    if (!finite) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+namespace {
+
+// About four seconds of exact arithmetic.
+constexpr std::uint64_t exact_work = 400'000'000;
+
+// What a run throws, as a diagnostic.
+template <class Run>
+auto guarded(Run&& run) -> decltype(run()) {
+  const ExactBudget budget(exact_work);
+  try {
+    return run();
+  } catch (const KernelError& error) {
+    return as_diagnostics(error);
+  } catch (const ExactTooLarge&) {
+    return Diagnostics{
+        {"", 0, 0, "",
+         "the fractions grow too long for exact arithmetic: compute in decimals, or take fewer or simpler numbers"}};
+  } catch (const TraceTooLarge&) {
+    return Diagnostics{
+        {"", 0, 0, "",
+         "the run makes more than " + std::to_string(most_values) + " values: take fewer control points or profiles"}};
+  }
 }
 
 }  // namespace
 
 template <Scalar S>
 Checked<Run<S>> record(const Algorithm& algorithm, const Inputs<Exact>& inputs) {
-  Run<S> run;
-  run.algorithm = &algorithm;
-  run.inputs = convert<S>(inputs);
-  TraceRecorder<S> recorder;
-  try {
-    run.outcome = algorithm.runner<S>().recorded(run.inputs, recorder);
-  } catch (const KernelError& error) {
-    return as_diagnostics(error);
-  }
-  run.trace = std::move(recorder).take();
-  if (!is_finite(run.outcome)) return overflow();
-  for (ValueId v = 0; v < run.trace.value_count(); ++v) {
-    const auto numbers = run.trace.numbers(v);
-    const bool finite = run.trace.value(v).kind == ValueKind::point
-                            ? is_finite(HPoint<S>(numbers[0], numbers[1], numbers[2], numbers[3]))
-                            : std::ranges::all_of(numbers, [](const S& x) { return is_finite(x); });
-    if (!finite) return overflow();
-  }
-  describe(run.inputs, run.trace.dimension, run.trace.rational);
-  return run;
+  return guarded([&]() -> Checked<Run<S>> {
+    Run<S> run;
+    run.algorithm = &algorithm;
+    run.inputs = convert<S>(inputs);
+    TraceRecorder<S> recorder;
+    try {
+      run.outcome = algorithm.runner<S>().recorded(run.inputs, recorder);
+    } catch (const KernelError&) {
+      // Of infinities and NaNs the kernel may say anything: that profiles coincide, that a weight is 0.
+      if (!is_finite(recorder.trace())) return overflow<S>();
+      throw;
+    }
+    run.trace = std::move(recorder).take();
+    if (!is_finite(run.outcome) || !is_finite(run.trace)) return overflow<S>();
+    describe(run.inputs, run.trace.dimension, run.trace.rational);
+    return run;
+  });
 }
 
 template <Scalar S>
 Checked<Outcome<S>> run_plain(const Algorithm& algorithm, const Inputs<Exact>& inputs) {
-  try {
-    auto outcome = algorithm.runner<S>().plain(convert<S>(inputs));
-    if (!is_finite(outcome)) return overflow();
-    return outcome;
-  } catch (const KernelError& error) {
-    return as_diagnostics(error);
+  return guarded([&]() -> Checked<Outcome<S>> {
+    try {
+      auto outcome = algorithm.runner<S>().plain(convert<S>(inputs));
+      if (!is_finite(outcome)) return overflow<S>();
+      return outcome;
+    } catch (const KernelError&) {
+      return record<S>(algorithm, inputs).diagnostics;  // which can tell what is wrong from what comes of an overflow
+    }
+  });
+}
+
+namespace {
+
+// The place of a path such as profiles[2] below `at`: as much of it as the file has (an input may be left out).
+Cursor locate(Cursor at, std::string_view path) {
+  while (!path.empty()) {
+    if (path[0] == '[') {
+      const std::size_t end = std::min(path.find(']'), path.size() - 1);
+      std::size_t index = 0;
+      std::from_chars(path.data() + 1, path.data() + end, index);
+      if (!at.is(Json::Kind::array) || index >= at.size()) return at;
+      at = at[index];
+      path.remove_prefix(end + 1);
+    } else {
+      if (path[0] == '.') path.remove_prefix(1);
+      const std::size_t end = std::min(path.find_first_of(".["), path.size());
+      const auto member = at.is(Json::Kind::object) ? at.optional(path.substr(0, end)) : std::nullopt;
+      if (!member) return at;
+      at = *member;
+      path.remove_prefix(end);
+    }
   }
+  return at;
+}
+
+}  // namespace
+
+void report_at(const Cursor& inputs, const Diagnostics& of_run) {
+  for (const auto& diagnostic : of_run) locate(inputs, diagnostic.path).error(diagnostic.message);
 }
 
 template <Scalar S>

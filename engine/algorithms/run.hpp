@@ -18,11 +18,14 @@ struct Run {
 };
 
 // Diagnostics when the inputs turn out impossible on the way (the weight at u is 0, a number overflows): what comes out
-// of a run is finite.
+// of a run is finite. Their paths begin at the inputs ("profiles[2]"); report_at says them at their places in a file.
 template <Scalar S>
 Checked<Run<S>> record(const Algorithm&, const Inputs<Exact>&);
 template <Scalar S>
 Checked<Outcome<S>> run_plain(const Algorithm&, const Inputs<Exact>&);
+
+// What record or run_plain say of inputs that were read at this cursor, as mistakes in that file.
+void report_at(const Cursor& inputs, const Diagnostics& of_run);
 
 // The input as JSON text, as write_curve does it.
 template <Scalar S>

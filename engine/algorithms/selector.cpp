@@ -57,7 +57,7 @@ std::optional<Selector> Selector::parse(std::string_view text, std::string& erro
         index.to = index.from;
       }
       if (!good) {
-        error = "an index is a whole number, * or a range such as 1..3, not \"" + std::string(inside) + "\"";
+        error = "an index is a whole number, * or a range such as 1..3, not " + excerpt(inside);
         return std::nullopt;
       }
       part.indices.push_back(index);

@@ -1,15 +1,18 @@
 #include "app/input.hpp"
 
-#include <algorithm>
 #include <iostream>
+
+#include "lesson/catalog.hpp"
 
 namespace blossom {
 namespace fs = std::filesystem;
 
 void add_subject_options(CLI::App& app, SubjectOptions& options) {
   auto* lesson = app.add_option("LESSON", options.lesson, "A lesson: a file, or the name or number of one in lessons/");
-  auto* algorithm = app.add_option("--algorithm", options.algorithm, "Instead of a lesson: an algorithm, see `blossom list`");
-  auto* inputs = app.add_option("--inputs", options.inputs, "A JSON file with the algorithm's inputs (- is standard input)");
+  auto* algorithm =
+      app.add_option("--algorithm", options.algorithm, "Instead of a lesson: an algorithm, see `blossom list`");
+  auto* inputs =
+      app.add_option("--inputs", options.inputs, "A JSON file with the algorithm's inputs (- is standard input)");
   algorithm->needs(inputs)->excludes(lesson);
   inputs->needs(algorithm);
 }
@@ -17,7 +20,8 @@ void add_subject_options(CLI::App& app, SubjectOptions& options) {
 fs::path find_folder(const std::string& name) {
   std::error_code error;
   if (fs::is_directory(name, error)) return name;
-  for (fs::path at = fs::read_symlink("/proc/self/exe", error).parent_path(); at.has_relative_path(); at = at.parent_path())
+  for (fs::path at = fs::read_symlink("/proc/self/exe", error).parent_path(); at.has_relative_path();
+       at = at.parent_path())
     if (fs::is_directory(at / name, error)) return at / name;
   return name;
 }
@@ -31,16 +35,16 @@ Checked<fs::path> find_lesson(const std::string& given) {
   const fs::path folder = find_folder("lessons");
   std::vector<fs::path> matches;
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string stem = entry.path().stem().string();
-    if (entry.path().extension() != ".json" || stem.ends_with(".schema")) continue;
-    if (stem == given) return entry.path();
+  Diagnostics none;  // a folder that cannot be read has no lessons
+  for (const fs::path& file : json_files(folder, none)) {
+    const std::string stem = file.stem().string();
+    if (stem == given) return file;
     names.push_back(stem);
     if (const auto dash = stem.find('-'); dash != std::string::npos) names.push_back(stem.substr(dash + 1));
-    if (stem.starts_with(given + "-") || stem.starts_with("0" + given + "-") || stem.ends_with("-" + given)) matches.push_back(entry.path());
+    if (stem.starts_with(given + "-") || stem.starts_with("0" + given + "-") || stem.ends_with("-" + given))
+      matches.push_back(file);
   }
   if (matches.size() == 1) return matches[0];
-  std::ranges::sort(matches);
   std::string message = "there is no such file, and no lesson of that name; `blossom list` lists them";
   if (!matches.empty()) {
     message = "more than one lesson is meant:";
@@ -58,28 +62,31 @@ Checked<Subject> load_subject(const SubjectOptions& options) {
   if (!options.algorithm.empty()) {
     subject.algorithm = find_algorithm(options.algorithm);
     if (subject.algorithm == nullptr) {
-      std::string message = "there is no algorithm \"" + options.algorithm + "\"";
-      if (const auto near = did_you_mean(options.algorithm, algorithm_ids())) message += "; did you mean \"" + *near + "\"?";
+      std::string message = "there is no algorithm " + excerpt(options.algorithm);
+      if (const auto near = did_you_mean(options.algorithm, algorithm_ids()))
+        message += "; did you mean \"" + *near + "\"?";
       throw CLI::ValidationError("--algorithm", message);
     }
-    const auto document = JsonDocument::load(options.inputs);
+    auto document = JsonDocument::load(options.inputs);
     if (!document) return document.diagnostics;
     Diagnostics diagnostics;
     auto inputs = read_inputs(*subject.algorithm, Cursor(*document, diagnostics));
     if (!inputs) return diagnostics;
     subject.inputs = std::move(*inputs);
+    subject.document = std::move(*document);
     return subject;
   }
   if (options.lesson.empty()) throw CLI::RequiredError("LESSON (see `blossom list`), or --algorithm and --inputs,");
   const auto file = find_lesson(options.lesson);
   if (!file) return file.diagnostics;
-  const auto document = JsonDocument::load(*file);
+  auto document = JsonDocument::load(*file);
   if (!document) return document.diagnostics;
   auto lesson = load_lesson(*document);
   if (!lesson) return lesson.diagnostics;
   subject.algorithm = lesson->algorithm;
   subject.inputs = lesson->inputs;
   subject.lesson = std::move(*lesson);
+  subject.document = std::move(*document);
   return subject;
 }
 

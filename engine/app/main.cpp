@@ -18,8 +18,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", BLOSSOM_VERSION);
   app.failure_message([](const CLI::App* root, const CLI::Error& error) {
     const auto given = root->get_subcommands();
-    return "blossom: " + std::string(error.what()) + "\nTry `blossom " + (given.empty() ? "" : given[0]->get_name() + " ") +
-           "--help`.\n";
+    return "blossom: " + blossom::printable(error.what()) + "\nTry `blossom " +
+           (given.empty() ? "" : given[0]->get_name() + " ") + "--help`.\n";
   });
 
   int status = blossom::done;
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     status = app.exit(error) == 0 ? blossom::done : blossom::wrong_usage;
   } catch (const std::exception& error) {  // out of memory, out of threads: the machine, not the input
-    std::cerr << "blossom: " << error.what() << "\n";
+    std::cerr << "blossom: " << blossom::printable(error.what()) << "\n";
     return blossom::machine_at_fault;
   }
   std::cout.flush();

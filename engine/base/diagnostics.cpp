@@ -15,29 +15,6 @@ void append_hex(std::string& out, char c) {
   out += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
 }
 
-// U+0000..U+001F, U+007F and the second block of controls, U+0080..U+009F: a terminal would obey them.
-bool is_control(std::string_view character) {
-  const auto first = static_cast<unsigned char>(character[0]);
-  if (character.size() == 1) return first < 0x20 || first == 0x7F;
-  return first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
-}
-
-std::string printable(std::string_view text) {
-  std::string out;
-  out.reserve(text.size());
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text, i);
-    const std::string_view character = text.substr(i, std::max<std::size_t>(length, 1));
-    if (length == 0 || is_control(character)) {
-      for (const char c : character) append_hex(out, c);
-    } else {
-      out += character;
-    }
-    i += character.size();
-  }
-  return out;
-}
-
 char lower(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 // How many letters must be inserted, removed, replaced or exchanged with their neighbour to get from a to b (optimal
@@ -59,6 +36,22 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+std::string printable(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
+    const std::string_view character = text.substr(i, std::max<std::size_t>(length, 1));
+    if (length == 0 || is_control(character)) {
+      for (const char c : character) append_hex(out, c);
+    } else {
+      out += character;
+    }
+    i += character.size();
+  }
+  return out;
+}
 
 std::string to_string(const Diagnostic& d) {
   std::string out;
@@ -89,7 +82,7 @@ std::string excerpt(std::string_view text) {
   constexpr int longest = 40;
   std::size_t end = 0;
   for (int i = 0; i < longest && end < text.size(); ++i) end += std::max<std::size_t>(utf8_length(text, end), 1);
-  return "\"" + std::string(text.substr(0, end)) + (end < text.size() ? "...\"" : "\"");
+  return "\"" + printable(text.substr(0, end)) + (end < text.size() ? "...\"" : "\"");
 }
 
 std::optional<std::string> did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {

@@ -19,8 +19,12 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
-// "file:line:column: path: message", leaving out the parts that are unknown. Control characters and invalid UTF-8 in
-// file, path and message (they may come from a hostile file) are written as \xNN, so that one diagnostic is one line.
+// The text on one line, harmless to a terminal: control characters (is_control of utf8.hpp) and invalid UTF-8 are
+// written as \xNN, byte by byte.
+std::string printable(std::string_view text);
+
+// "file:line:column: path: message", leaving out the parts that are unknown; each part printable, for it may come from
+// a hostile file: one diagnostic is one line.
 std::string to_string(const Diagnostic&);
 std::string to_string(const Diagnostics&);  // one per line, by file, line and column
 
@@ -40,7 +44,7 @@ struct Checked {
   const T* operator->() const { return &*value; }
 };
 
-// The text in quotation marks, for messages: at most 40 characters of it, then "...".
+// The text in quotation marks, for messages: at most 40 characters of it, printable, then "...".
 std::string excerpt(std::string_view text);
 
 // The candidate nearest to `word` in edit distance, if near enough to be a typing mistake.

@@ -123,6 +123,22 @@ struct Exact::Big {
   Rational value;
 };
 
+namespace {
+
+thread_local std::uint64_t work_left = std::numeric_limits<std::uint64_t>::max();
+
+void charge(const Rational& result) {
+  const std::uint64_t words = mp::numerator(result).backend().size() + mp::denominator(result).backend().size();
+  const std::uint64_t work = words * words;
+  if (work > work_left) throw ExactTooLarge{};
+  work_left -= work;
+}
+
+}  // namespace
+
+ExactBudget::ExactBudget(std::uint64_t work) : outside_(work_left) { work_left = work; }
+ExactBudget::~ExactBudget() { work_left = outside_; }
+
 // What the functions of this file need of the inside of a number. A number that fits in 64 bits is always stored small,
 // so that each value has one representation.
 struct ExactAccess {
@@ -202,6 +218,7 @@ struct ExactAccess {
 
  private:
   static Exact big(Rational value) {
+    charge(value);
     Exact result;
     result.big_ = new Exact::Big{std::move(value)};
     result.kind_ = Exact::Kind::big;

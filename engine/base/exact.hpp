@@ -70,6 +70,21 @@ class Exact {
   friend Exact sqrt(const Exact&);
 };
 
+// A bound on what exact arithmetic may cost in this thread while the object lives. Numbers can grow longer with every
+// operation, so a short input can mean hours; the operation that goes beyond the bound throws ExactTooLarge. `work`
+// counts squared 64-bit words of the results that do not fit in 64 bits: 100 million are about a second.
+class ExactBudget {
+ public:
+  explicit ExactBudget(std::uint64_t work);
+  ExactBudget(const ExactBudget&) = delete;
+  ExactBudget& operator=(const ExactBudget&) = delete;
+  ~ExactBudget();
+
+ private:
+  std::uint64_t outside_;
+};
+struct ExactTooLarge {};
+
 Exact abs(const Exact&);
 Exact sqrt(const Exact&);  // exact where the root is rational, otherwise approximate; precondition: not negative
 

@@ -100,6 +100,7 @@ class Cursor {
   // is what Exact::parse accepts, and is refused above the largest double.
   std::optional<Exact> number() const;
   std::optional<int> integer(int at_least, int at_most) const;
+  // A string has no control characters (see utf8.hpp) but line breaks and tabs.
   std::optional<std::string> string() const;
   std::optional<bool> boolean() const;
 

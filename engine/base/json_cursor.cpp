@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/json.hpp"
+#include "base/utf8.hpp"
 
 namespace blossom {
 namespace {
@@ -170,13 +171,13 @@ std::optional<std::string> Cursor::string() const {
     return std::nullopt;
   }
   const std::string& text = json_->text;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool second_block = byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
-    if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7F || second_block) {
-      error("must not contain control characters: a terminal would obey them");
+  for (std::size_t i = 0; i < text.size();) {  // the reader has made sure that it is UTF-8
+    const std::string_view character = std::string_view(text).substr(i, utf8_length(text, i));
+    if (is_control(character) && character != "\n" && character != "\t") {
+      error("must not contain control characters: they act on a terminal or on the direction of the text");
       return std::nullopt;
     }
+    i += character.size();
   }
   return text;
 }

@@ -79,7 +79,9 @@ Checked<JsonDocument> JsonDocument::load(const std::filesystem::path& path, cons
   struct stat status {};
   if (!standard_input) {
     if (::fstat(fd, &status) != 0) return problem(name, "cannot be read: " + system_says(errno));
-    if (!S_ISREG(status.st_mode)) return problem(name, "must be a file, not " + kind_of(status));
+    if (!S_ISREG(status.st_mode))
+      return problem(name, "must be a file, not " + kind_of(status) +
+                               (S_ISDIR(status.st_mode) ? "" : "; use - for standard input"));
   }
   std::string text;
   if (!read_all(fd, most, text)) return problem(name, "cannot be read: " + system_says(errno));

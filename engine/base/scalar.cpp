@@ -36,4 +36,14 @@ std::string format_short(double x, int decimals) {
   return without_negative_zero(text);
 }
 
+std::string format_brief(const Exact& x) {
+  constexpr std::size_t longest = 20;
+  const double rounded = x.to_double();
+  for (std::string text : {x.to_string(), format_number(rounded)})
+    if (text.size() <= longest) return text;
+  char buffer[32];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, rounded, std::chars_format::general, 12);
+  return {buffer, end};
+}
+
 }  // namespace blossom

@@ -38,6 +38,10 @@ inline std::string format_number(const Exact& x) { return x.to_string(); }
 // At most `decimals` digits after the point, trailing zeros removed: for tables and labels.
 std::string format_short(double, int decimals);
 
+// For messages: the first that takes at most 20 characters of the fraction, the shortest decimal of the nearest double,
+// and 12 significant digits of it.
+std::string format_brief(const Exact&);
+
 // The inverse of format_number; what Exact::parse accepts, rounded to S once.
 template <Scalar S>
 std::optional<S> parse_number(std::string_view text) {

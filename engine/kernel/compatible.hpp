@@ -85,7 +85,8 @@ MadeCurve<R> clamp(R& rec, MadeCurve<R> curve) {
 template <class R>
 bool is_clamped(const MadeCurve<R>& curve) {
   const int p = curve.degree;
-  return curve.U[0].value == curve.U[p].value && curve.U[curve.U.size() - 1].value == curve.U[curve.U.size() - p - 1].value;
+  return curve.U[0].value == curve.U[p].value &&
+         curve.U[curve.U.size() - 1].value == curve.U[curve.U.size() - p - 1].value;
 }
 
 }  // namespace compatible

@@ -5,8 +5,8 @@
 //     alpha[r][i] = (u - u_i) / (u_{i+p-r+1} - u_i),  P[r][i] = (1 - alpha) P[r-1][i-1] + alpha P[r-1][i],
 //     r = 1..h, i = k-p+r..k-s,   C = P[h][k-s],
 //
-// followed by the division by the weight for a rational curve. At the end of the domain u equals the knot to the right of
-// its span, and the triangle ends at P[h][k].
+// followed by the division by the weight for a rational curve. At the end of the domain u equals the knot to the right
+// of its span, and the triangle ends at P[h][k].
 
 #include "kernel/error.hpp"
 #include "kernel/triangle.hpp"
@@ -15,7 +15,8 @@ namespace blossom {
 
 // Preconditions: a valid curve, u in its domain. Error: the weight at u is zero.
 template <class R>
-HPoint<typename R::Number> de_boor(const Curve<typename R::Number>& curve, const typename R::Number& parameter, R& rec) {
+HPoint<typename R::Number> de_boor(const Curve<typename R::Number>& curve, const typename R::Number& parameter,
+                                   R& rec) {
   using S = typename R::Number;
   const int p = curve.degree;
   const auto degree = rec.input("p"_v, p);
@@ -41,7 +42,8 @@ HPoint<typename R::Number> de_boor(const Curve<typename R::Number>& curve, const
 
   const auto& top = row[static_cast<std::size_t>(p - known)];
   if (!curve.rational) return rec.apply(Same{}, "C"_v, top).value;
-  if (top.value.w == S(0)) throw KernelError{"u", "the weight of the point at this parameter is 0: it lies at infinity"};
+  if (top.value.w == S(0))
+    throw KernelError{"u", "the weight of the point at this parameter is 0: it lies at infinity"};
   return rec.apply(Project{}, "C"_v, top).value;
 }
 

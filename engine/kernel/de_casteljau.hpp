@@ -34,7 +34,8 @@ HPoint<typename R::Number> de_casteljau(const Curve<typename R::Number>& curve, 
 
   const auto& top = row[0];
   if (!curve.rational) return rec.apply(Same{}, "C"_v, top).value;
-  if (top.value.w == S(0)) throw KernelError{"u", "the weight of the point at this parameter is 0: it lies at infinity"};
+  if (top.value.w == S(0))
+    throw KernelError{"u", "the weight of the point at this parameter is 0: it lies at infinity"};
   return rec.apply(Project{}, "C"_v, top).value;
 }
 

@@ -111,7 +111,7 @@ PointCells<R> decompose(R& rec, const CurveIn& curve, const std::vector<int>& be
   PointCells<R> B;
   B.reserve(static_cast<int>(begins.size()) * (p + 1));
   TriangleRow<R> W, row, right;
-  const auto entry = [](TriangleRow<R>& r, int j) -> auto& { return r[static_cast<std::size_t>(j)]; };
+  const auto entry = [](TriangleRow<R> & r, int j) -> auto& { return r[static_cast<std::size_t>(j)]; };
   const auto given = [&](int i) { return Traced<HPoint<S>, Id>{curve.P[i].value, curve.P[i].id}; };
   const auto parameter = [&](int i) { return Ref<S, Id>{U[i].value, U[i].id}; };
 
@@ -163,8 +163,8 @@ void name_knots(Made& made, const Knots& U, const std::vector<S>& V) {
   }
 }
 
-// Each run of p + 1 points one degree higher, `times` times: the Bezier formula on each segment. The last round's values
-// are called `point`, with the segment as first index when there are several.
+// Each run of p + 1 points one degree higher, `times` times: the Bezier formula on each segment. The last round's
+// values are called `point`, with the segment as first index when there are several.
 template <class R>
 PointCells<R> elevate_segments(R& rec, PointCells<R> B, int p, int times, bool several) {
   using S = typename R::Number;
@@ -208,7 +208,8 @@ PointCells<R> recompose(R& rec, const PointCells<R>& E, const Knots& U, const st
   const auto end_of = [&](int part) { return U[begins[static_cast<std::size_t>(part)] + 1]; };
   const auto others_of = [&](int part, int j) {  // arguments of Q[j] that are no end of this segment
     int found = 0;
-    for (int i = j + 1; i <= j + q; ++i) found += knot(i) == begin_of(part).value || knot(i) == end_of(part).value ? 0 : 1;
+    for (int i = j + 1; i <= j + q; ++i)
+      found += knot(i) == begin_of(part).value || knot(i) == end_of(part).value ? 0 : 1;
     return found;
   };
   const int parts = static_cast<int>(begins.size());
@@ -261,7 +262,8 @@ PointCells<R> recompose(R& rec, const PointCells<R>& E, const Knots& U, const st
       const auto beta = rec.apply(Ratio{}, "beta"_v(r), U[others[static_cast<std::size_t>(r) - 1]], a, b);
       for (int i = 0; i <= extra - r; ++i) {
         auto& left = row[static_cast<std::size_t>(i)];
-        left = rec.apply(Blend{}, r == extra ? outer("Q"_v(j)) : "R"_v(r, i), beta, left, row[static_cast<std::size_t>(i) + 1]);
+        left = rec.apply(Blend{}, r == extra ? outer("Q"_v(j)) : "R"_v(r, i), beta, left,
+                         row[static_cast<std::size_t>(i) + 1]);
       }
     }
     Q.push_back(row[0]);
@@ -319,7 +321,9 @@ Curve<typename R::Number> degree_elevation(const Curve<typename R::Number>& curv
   const auto t = rec.input("t"_v, times);
   const auto knots = rec.list("U"_v, curve.knots);
   const auto given = given_curve(rec, curve);
-  auto made = plain_curve<R>(elevate_degree(rec, given, knots, t));
+  auto elevated = elevate_degree(rec, given, knots, t);
+  const int count = elevated.P.size();
+  auto made = plain_curve<R>(std::move(elevated), 0, count);
   made.bezier = curve.bezier;
   return made;
 }

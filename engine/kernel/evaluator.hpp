@@ -102,7 +102,9 @@ class SpanTable {
 class CurveEvaluator {
  public:
   explicit CurveEvaluator(const Curve<double>& curve)
-      : spans_(curve.knots, curve.degree), points_(curve.points), rational_(curve.rational) {
+      : spans_(curve.knots, curve.degree),
+        points_(curve.points),
+        weighted_(std::ranges::any_of(points_, [](const auto& P) { return P.w != 1; })) {
     const int p = curve.degree;
     for (int s = 0; s < spans_.count(); ++s) {
       const double* Uk = spans_.knots_from(s);
@@ -148,7 +150,7 @@ class CurveEvaluator {
 
   std::optional<Point<double>> point(double u) const {
     const HPoint<double> C = homogeneous_point(u);
-    if (rational_) return affine_point(C);
+    if (weighted_) return affine_point(C);
     const auto P = detail::xyz(C);
     return is_finite(P) ? std::optional(P) : std::nullopt;
   }
@@ -171,7 +173,7 @@ class CurveEvaluator {
 
   SpanTable spans_;
   std::vector<HPoint<double>> points_;
-  bool rational_;
+  bool weighted_;  // some weight is not 1
   std::vector<Piece> pieces_;
   std::vector<HPoint<double>> scaled_;  // binom(p,i) b_i, span after span
 };

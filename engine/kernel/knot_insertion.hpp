@@ -33,17 +33,20 @@ struct InsertKnot {
   }
 };
 
-// A refined curve, and, when recording, its knot vector as one value, which a next insertion can go on from.
+// A refined curve; when recording, its knot vector as one value, which a next insertion can go on from; and which of
+// its points, P[begin] .. P[end-1], the triangle made, while the others were kept.
 template <class R>
 struct RefinedCurve {
   MadeCurve<R> curve;
   Traced<std::vector<typename R::Number>, typename R::Id> knots;
+  int begin, end;
 };
 
 // Preconditions: u in the domain of the curve, times >= 1, multiplicity of u + times <= p.
 // Curve is a TracedCurve; `knots` its knot vector as one value.
 template <class R, class CurveIn, class KnotList, class Parameter, class Times>
-RefinedCurve<R> insert_knot(R& rec, const CurveIn& curve, const KnotList& knots, const Parameter& u, const Times& times) {
+RefinedCurve<R> insert_knot(R& rec, const CurveIn& curve, const KnotList& knots, const Parameter& u,
+                            const Times& times) {
   using S = typename R::Number;
   const int p = curve.degree;
   const int h = times.value;
@@ -52,7 +55,7 @@ RefinedCurve<R> insert_knot(R& rec, const CurveIn& curve, const KnotList& knots,
 
   const auto k = rec.apply(LastKnot{}, "k"_v, u, knots);
   const auto s = rec.apply(Multiplicity{}, "s"_v, u, knots);
-  const int first = k.value - p;      // the last point in front that stays
+  const int first = k.value - p;       // the last point in front that stays
   const int last = k.value - s.value;  // the first point behind that stays
   const int width = last - first;
 
@@ -83,7 +86,7 @@ RefinedCurve<R> insert_knot(R& rec, const CurveIn& curve, const KnotList& knots,
   } else {
     V.give(std::move(Ubar.value));
   }
-  return {std::move(made), std::move(Ubar)};
+  return {std::move(made), std::move(Ubar), first, last + h};
 }
 
 // The curve as given: its knots and points as input values U, U[i], P[i] with their polar labels.
@@ -102,12 +105,13 @@ auto given_curve(R& rec, const Curve<typename R::Number>& curve) {
   return given;
 }
 
-// The made curve as a plain value. A polynomial's weights, 1 up to rounding where points were extrapolated, are 1.
+// The made curve as a plain value. A polynomial's weights, 1 up to rounding where points were extrapolated (among
+// P[begin] .. P[end-1]), are 1.
 template <class R>
-Curve<typename R::Number> plain_curve(MadeCurve<R>&& made) {
+Curve<typename R::Number> plain_curve(MadeCurve<R>&& made, int begin, int end) {
   auto points = made.P.take();
   if (!made.rational)
-    for (auto& point : points) point.w = typename R::Number(1);
+    for (int i = begin; i < end; ++i) points[static_cast<std::size_t>(i)].w = typename R::Number(1);
   return {made.degree, made.U.take(), std::move(points), made.dimension, made.rational, false};
 }
 
@@ -119,13 +123,13 @@ Curve<typename R::Number> knot_insertion(const Curve<typename R::Number>& curve,
   const auto h = rec.input("h"_v, times);
   const auto knots = rec.list("U"_v, curve.knots);
   const auto given = given_curve(rec, curve);
-  auto made = insert_knot(rec, given, knots, u, h).curve;
+  auto [made, list, begin, end] = insert_knot(rec, given, knots, u, h);
   if constexpr (R::recording) {
     auto phase = rec.phase({"collect"});
     auto step = rec.one_step();
     for (int i = 0; i < made.P.size(); ++i) rec.apply(Same{}, "Q"_v(i), made.P[i]);
   }
-  return plain_curve<R>(std::move(made));
+  return plain_curve<R>(std::move(made), begin, end);
 }
 
 }  // namespace blossom

@@ -5,8 +5,8 @@
 //     auto b = rec.apply(Blend{}, "P"_v(r, i), alpha, P[i], P[i + 1]);
 //
 // With NoRecorder, apply() is the rule and nothing else: ids are empty types, names are constants nobody reads, and the
-// compiler emits the plain algorithm. With trace/trace_recorder.hpp the same line also notes that P[r][i] came from those
-// three values by that rule. There is one text of each algorithm, so what is replayed is what was computed.
+// compiler emits the plain algorithm. With trace/trace_recorder.hpp the same line also notes that P[r][i] came from
+// those three values by that rule. There is one text of each algorithm, so what is replayed is what was computed.
 //
 // A recorder R has: R::recording, R::Id, R::Number (the scalar), and
 //   apply(rule, name, operands...)  -> Traced<result, Id>     a new value, in a step of its own
@@ -155,11 +155,7 @@ class Cells {
   int size() const { return static_cast<int>(values_.size()); }
   std::span<const T> values() const { return values_; }
   std::vector<T> take() { return std::move(values_); }
-  void give(std::vector<T>&& values)
-    requires(!traced)
-  {
-    values_ = std::move(values);
-  }
+  void give(std::vector<T>&& values) requires(!traced) { values_ = std::move(values); }
 
  private:
   struct Nothing {};
@@ -232,7 +228,7 @@ struct TracedCurve {
 };
 
 template <class R>
-using MadeCurve = TracedCurve<Cells<typename R::Number, typename R::Id>,
-                              Cells<HPoint<typename R::Number>, typename R::Id>>;
+using MadeCurve =
+    TracedCurve<Cells<typename R::Number, typename R::Id>, Cells<HPoint<typename R::Number>, typename R::Id>>;
 
 }  // namespace blossom

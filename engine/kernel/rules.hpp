@@ -18,11 +18,11 @@
 namespace blossom {
 
 enum class Polar : std::uint8_t {
-  none,   // the value is no blossom value
-  blend,  // what the two points share, and the parameter: f(A, a), f(A, b) -> f(A, u)
-  merge,  // the union of both labels: degree elevation
-  same,   // the label of the operand
-  repeat, // the label of the operand with its last argument once more: the end of an elevated Bezier curve
+  none,    // the value is no blossom value
+  blend,   // what the two points share, and the parameter: f(A, a), f(A, b) -> f(A, u)
+  merge,   // the union of both labels: degree elevation
+  same,    // the label of the operand
+  repeat,  // the label of the operand with its last argument once more: the end of an elevated Bezier curve
 };
 
 // (1 - a) A + a B
@@ -201,7 +201,7 @@ struct Mean {
 // Numbers in a row: a knot vector from its knots
 struct Gather {
   static constexpr std::string_view name = "gather";
-  static constexpr std::string_view formula = "({*})";
+  static constexpr std::string_view formula = "{*} in a row";
   static constexpr Polar polar = Polar::none;
   template <Scalar S>
   static std::vector<S> apply(std::span<const S> a) {

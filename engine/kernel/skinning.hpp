@@ -1,6 +1,6 @@
 #pragma once
-// Skinning (lofting): the surface that has the given profiles as isoparametric curves S(u, v_l) = C_l(u) (Woodward 1988;
-// The NURBS Book 10.3; Shene, "Cross-Sectional Design"). Phases:
+// Skinning (lofting): the surface that has the given profiles as isoparametric curves S(u, v_l) = C_l(u) (Woodward
+// 1988; The NURBS Book 10.3; Shene, "Cross-Sectional Design"). Phases:
 //
 //   compatible   one degree p and one knot vector for all profiles: control points P[l][i], l = 0..K, i = 0..n;
 //   parameters   v_0 = 0, v_K = 1; chord length (NB 10.8): v_l = v_{l-1} + mean over i of d[l][i] / sum_l d[l][i], with
@@ -65,14 +65,15 @@ struct BasisValue {
   }
   template <Scalar S>
   static bool defined(int j, int q, const S& v, std::span<const S> V) {
-    return q >= 1 && q <= max_degree && j >= 0 && j + q + 1 < static_cast<int>(V.size()) && FindSpan::defined<S>(q, v, V);
+    return q >= 1 && q <= max_degree && j >= 0 && j + q + 1 < static_cast<int>(V.size()) &&
+           FindSpan::defined<S>(q, v, V);
   }
 };
 
 // a - m b of numbers
 struct ReduceNumber {
   static constexpr std::string_view name = "reduce_number";
-  static constexpr std::string_view formula = "{0} - {1} {2}";
+  static constexpr std::string_view formula = "{0} - {1} · {2}";
   static constexpr Polar polar = Polar::none;
   template <Scalar S>
   static S apply(const S& a, const S& m, const S& b) {
@@ -83,7 +84,7 @@ struct ReduceNumber {
 // A - m B of right-hand sides
 struct Reduce {
   static constexpr std::string_view name = "reduce";
-  static constexpr std::string_view formula = "{0} - {1} {2}";
+  static constexpr std::string_view formula = "{0} - {1} · {2}";
   static constexpr Polar polar = Polar::none;
   static constexpr bool makes_vector = true;
   template <Scalar S>
@@ -136,8 +137,9 @@ Cells<typename R::Number, typename R::Id> parameters(R& rec, const std::vector<M
       const auto A = profiles[static_cast<std::size_t>(l)].P[i];
       const auto B = profiles[static_cast<std::size_t>(l) - 1].P[i];
       if (A.value.w == S(0) || B.value.w == S(0))
-        throw KernelError{"profiles[" + std::to_string(A.value.w == S(0) ? l : l - 1) + "]",
-                          "a control point of weight 0 has no distance to the next profile; use \"uniform\" parameters"};
+        throw KernelError{
+            "profiles[" + std::to_string(A.value.w == S(0) ? l : l - 1) + "]",
+            "a control point of weight 0 has no distance to the next profile; use \"uniform\" parameters"};
       if (parametrization == Parametrization::chord) {
         d.push_back(rec.apply(Distance{}, "d"_v(l, i), A, B));
       } else {
@@ -181,7 +183,8 @@ struct Eliminated {
 };
 
 template <class R, class Degree, class KnotList>
-Eliminated<R> eliminate(R& rec, const Cells<typename R::Number, typename R::Id>& v, const Degree& q, const KnotList& V) {
+Eliminated<R> eliminate(R& rec, const Cells<typename R::Number, typename R::Id>& v, const Degree& q,
+                        const KnotList& V) {
   using S = typename R::Number;
   const int K = v.size() - 1;
   Eliminated<R> A;
@@ -298,8 +301,11 @@ Surface<typename R::Number> skinning(const std::vector<Curve<typename R::Number>
       D.set(l, Q);
       surface.at(i, l) = Q.value;
       if (!rational) surface.at(i, l).w = S(1);  // up to rounding it is
-      rec.polar_net(Q.id, std::span<const S>(surface.knots[0]).subspan(static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(surface.degree[0])),
-                    std::span<const S>(surface.knots[1]).subspan(static_cast<std::size_t>(l) + 1, static_cast<std::size_t>(degree_v)));
+      rec.polar_net(Q.id,
+                    std::span<const S>(surface.knots[0])
+                        .subspan(static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(surface.degree[0])),
+                    std::span<const S>(surface.knots[1])
+                        .subspan(static_cast<std::size_t>(l) + 1, static_cast<std::size_t>(degree_v)));
     }
   }
   return surface;

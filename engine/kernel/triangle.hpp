@@ -21,8 +21,8 @@ using TriangleRow = std::array<Traced<HPoint<typename R::Number>, typename R::Id
 // How a caller of the triangle names and keeps its points.
 struct TriangleNames {
   NameMaker point;
-  int shift = 0;           // added to i in names, where the knots are a window of a longer vector
-  bool replaces = false;   // points a level replaces leave the picture (insertion); evaluation keeps them all
+  int shift = 0;          // added to i in names, where the knots are a window of a longer vector
+  bool replaces = false;  // points a level replaces leave the picture (insertion); evaluation keeps them all
 };
 
 // Runs the triangle in place on `row` (p - s + 1 points on entry). After level r, entry j >= r holds

@@ -6,8 +6,6 @@
 #include "lesson/file_kind.hpp"
 
 namespace blossom {
-namespace {
-
 std::vector<std::filesystem::path> json_files(const std::filesystem::path& folder, Diagnostics& diagnostics) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
@@ -19,8 +17,6 @@ std::vector<std::filesystem::path> json_files(const std::filesystem::path& folde
   std::sort(files.begin(), files.end());
   return files;
 }
-
-}  // namespace
 
 const CatalogEntry* Catalog::find(std::string_view id) const {
   const auto found =

@@ -20,8 +20,12 @@ struct Catalog {
   const CatalogEntry* find(std::string_view id) const;  // or nullptr
 };
 
-// Every *.json of the folder itself that is a lesson or would be one but for its mistakes (a file of another kind, or a
-// *.schema.json, is none). Two lessons of one id are a mistake of the second. A folder that cannot be read is a
+// The *.json of the folder itself, by name, except JSON Schemas (*.schema.json). A folder that cannot be read is a
+// diagnostic.
+std::vector<std::filesystem::path> json_files(const std::filesystem::path& folder, Diagnostics&);
+
+// Every *.json of the folder itself that is a lesson or would be one but for its mistakes (a file of another kind
+// is none). Two lessons of one id are a mistake of the second. A folder that cannot be read is a
 // diagnostic.
 Catalog load_catalog(const std::filesystem::path& folder);
 

@@ -1,7 +1,6 @@
 #include "lesson/document.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 namespace blossom {
 
@@ -54,39 +53,13 @@ const Algorithm* read_algorithm(const Cursor& root) {
   return nullptr;
 }
 
-namespace {
-
-// The place of a path such as profiles[2] below `at`: as much of it as the file has (an input may be left out).
-Cursor locate(Cursor at, std::string_view path) {
-  while (!path.empty()) {
-    if (path[0] == '[') {
-      const std::size_t end = std::min(path.find(']'), path.size() - 1);
-      std::size_t index = 0;
-      std::from_chars(path.data() + 1, path.data() + end, index);
-      if (!at.is(Json::Kind::array) || index >= at.size()) return at;
-      at = at[index];
-      path.remove_prefix(end + 1);
-    } else {
-      if (path[0] == '.') path.remove_prefix(1);
-      const std::size_t end = std::min(path.find_first_of(".["), path.size());
-      const auto member = at.is(Json::Kind::object) ? at.optional(path.substr(0, end)) : std::nullopt;
-      if (!member) return at;
-      at = *member;
-      path.remove_prefix(end);
-    }
-  }
-  return at;
-}
-
-}  // namespace
-
 std::optional<Run<Exact>> read_run(const Cursor& root, const Algorithm& algorithm) {
   const auto at = root.required("inputs");
   if (!at) return std::nullopt;
   const auto inputs = read_inputs(algorithm, *at);
   if (!inputs) return std::nullopt;
   auto run = record<Exact>(algorithm, *inputs);
-  for (const auto& diagnostic : run.diagnostics) locate(root, diagnostic.path).error(diagnostic.message);
+  report_at(*at, run.diagnostics);
   return std::move(run.value);
 }
 

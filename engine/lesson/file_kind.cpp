@@ -6,13 +6,14 @@
 namespace blossom {
 namespace {
 
-constexpr std::array<std::pair<FileKind, std::string_view>, 8> names{{{FileKind::lesson, "lesson"},
+constexpr std::array<std::pair<FileKind, std::string_view>, 9> names{{{FileKind::lesson, "lesson"},
                                                                       {FileKind::exercise, "exercise"},
                                                                       {FileKind::answers, "answers"},
                                                                       {FileKind::grade, "grade"},
                                                                       {FileKind::trace, "trace"},
                                                                       {FileKind::curve, "curve"},
                                                                       {FileKind::surface, "surface"},
+                                                                      {FileKind::schema, "schema"},
                                                                       {FileKind::unknown, "unknown"}}};
 
 FileKind kind_of_schema(std::string_view schema) {
@@ -37,6 +38,8 @@ FileKind file_kind(const Json& root) {
   if (root.kind != Json::Kind::object) return FileKind::unknown;
   if (const Json* schema = root.find("schema"); schema != nullptr && schema->kind == Json::Kind::string)
     if (const FileKind kind = kind_of_schema(schema->text); kind != FileKind::unknown) return kind;
+  if (const Json* schema = root.find("$schema"); schema != nullptr && schema->kind == Json::Kind::string)
+    if (schema->text.find("json-schema.org") != std::string::npos) return FileKind::schema;
   if (root.find("beats") != nullptr) return FileKind::lesson;
   if (root.find("ask") != nullptr) return FileKind::exercise;
   if (root.find("answers") != nullptr) return FileKind::answers;

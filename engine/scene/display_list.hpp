@@ -14,30 +14,30 @@ namespace blossom {
 
 // What a thing means. Themes map roles to looks; no colour is named anywhere else.
 enum class Role : std::uint8_t {
-  grid,            // background grid lines
-  axis,            // coordinate axes
-  curve,           // the curve under study
-  curve_result,    // the curve an algorithm has made so far
-  polygon,         // control polygon or net, unchanging
-  control_point,   // its points
-  earlier,         // values of earlier steps: quieter
-  level_a,         // alternating levels of a triangular scheme
+  grid,           // background grid lines
+  axis,           // coordinate axes
+  curve,          // the curve under study
+  curve_result,   // the curve an algorithm has made so far
+  polygon,        // control polygon or net, unchanging
+  control_point,  // its points
+  earlier,        // values of earlier steps: quieter
+  level_a,        // alternating levels of a triangular scheme
   level_b,
   level_c,
-  operand,         // what the current step reads
-  current,         // what the current step makes: the loudest
-  ratio_near,      // the part of a divided segment from the first operand to the new point
-  ratio_far,       // and from there to the second
-  result,          // the final point or curve
-  retired,         // what is no longer part of the polygon
-  surface,         // a shaded face
-  isoline,         // isoparametric curve on a surface
-  panel,           // background of a text panel
-  rule_line,       // separators, table lines
-  text,            // ordinary text
-  text_quiet,      // secondary text
-  text_strong,     // headings
-  text_current,    // text about the current step
+  operand,       // what the current step reads
+  current,       // what the current step makes: the loudest
+  ratio_near,    // the part of a divided segment from the first operand to the new point
+  ratio_far,     // and from there to the second
+  result,        // the final point or curve
+  retired,       // what is no longer part of the polygon
+  surface,       // a shaded face
+  isoline,       // isoparametric curve on a surface
+  panel,         // background of a text panel
+  rule_line,     // separators, table lines
+  text,          // ordinary text
+  text_quiet,    // secondary text
+  text_strong,   // headings
+  text_current,  // text about the current step
 };
 inline constexpr int role_count = 24;
 
@@ -59,7 +59,7 @@ struct Polyline {
   double width_scale = 1;  // of the theme's width for the role
   bool dashed = false;
   bool closed = false;
-  bool arrow = false;      // a head at the last point
+  bool arrow = false;  // a head at the last point
   bool operator==(const Polyline&) const = default;
 };
 
@@ -81,8 +81,8 @@ struct Polygon {  // a filled flat polygon (panels, tableau cells), convex
 
 struct Mesh {  // triangles, shaded by their normals with the light at the camera, both sides
   std::vector<glm::dvec3> positions;
-  std::vector<glm::dvec3> normals;      // one per position, unit
-  std::vector<std::uint32_t> indices;   // three per triangle
+  std::vector<glm::dvec3> normals;     // one per position, unit
+  std::vector<std::uint32_t> indices;  // three per triangle
   Role role = Role::surface;
   double opacity = 1;
   bool operator==(const Mesh&) const = default;
@@ -95,23 +95,28 @@ struct Label {
   glm::dvec3 anchor{};
   RichText text;
   Role role = Role::text;
-  double size_scale = 1;          // of the theme's text size
-  Placement placement = Placement::left;  // left: text starts at the anchor; centre; right: ends there (on the baseline)
-  int priority = 0;               // of two labels that want one place, the higher is placed first
+  double size_scale = 1;  // of the theme's text size
+  Placement placement =
+      Placement::left;  // left: text starts at the anchor; centre; right: ends there (on the baseline)
+  int priority = 0;     // of two labels that want one place, the higher is placed first
   bool optional = false;
-  double max_width = 0;           // page units; > 0: wrapped at blanks into lines downwards
+  double max_width = 0;  // page units; > 0: wrapped at blanks into lines downwards
   bool operator==(const Label&) const = default;
 };
 
 // World to view. Orthographic looks down -z at `centre`; `height` is how much of the world the view shows vertically.
 // Orbit looks at `centre` from azimuth (about +z, from +x) and elevation, z up, in parallel or perspective projection.
 struct Camera {
-  enum class Kind : std::uint8_t { page, plane, orbit };  // page: x right, y DOWN, in page units from the view's top left
+  enum class Kind : std::uint8_t {
+    page,
+    plane,
+    orbit
+  };  // page: x right, y DOWN, in page units from the view's top left
   Kind kind = Kind::page;
   glm::dvec3 centre{};
   double height = 1;
-  double azimuth = 0.9;      // radians
-  double elevation = 0.45;   // radians
+  double azimuth = 0.9;     // radians
+  double elevation = 0.45;  // radians
   bool perspective = false;
   bool operator==(const Camera&) const = default;
 };

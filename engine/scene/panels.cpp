@@ -12,7 +12,8 @@ namespace blossom {
 namespace {
 
 void fill(View& view, double x, double y, double width, double height, Role role, double opacity = 1) {
-  view.polygons.push_back({{{x, y, 0}, {x + width, y, 0}, {x + width, y + height, 0}, {x, y + height, 0}}, role, opacity});
+  view.polygons.push_back(
+      {{{x, y, 0}, {x + width, y, 0}, {x + width, y + height, 0}, {x, y + height, 0}}, role, opacity});
 }
 
 Label& text(View& view, double x, double y, RichText runs, Role role, double size = 1) {
@@ -53,7 +54,8 @@ double add_pseudo_code(View& view, const StepSource& source, std::uint32_t step,
   const double row = 20;
   std::size_t longest = 1;
   for (const auto line : algorithm.pseudo_code) longest = std::max(longest, line.size());
-  const double size = std::min(0.86, (width - 26) / (static_cast<double>(longest) * 14 * 0.69));  // of a theme with larger text, too
+  const double size =
+      std::min(0.86, (width - 26) / (static_cast<double>(longest) * 14 * 0.69));  // of a theme with larger text, too
   if (size < 0.55) {  // too small to read: only the line that counts, wrapped
     if (current == 0) return at - y;
     const std::string_view code = algorithm.pseudo_code[static_cast<std::size_t>(current) - 1];
@@ -69,10 +71,11 @@ double add_pseudo_code(View& view, const StepSource& source, std::uint32_t step,
       fill(view, x - 6, at, width + 12, row, Role::current, 0.18);
       fill(view, x - 6, at, 3, row, Role::current);
     }
-    text(view, x + 14, at + 14, {{std::to_string(i + 1), TextRun::Level::base, false, false, true}}, Role::text_quiet, size)
+    text(view, x + 14, at + 14, {{std::to_string(i + 1), TextRun::Level::base, false, false, true}}, Role::text_quiet,
+         size)
         .placement = Label::Placement::right;
-    text(view, x + 22, at + 14,
-         {{std::string(algorithm.pseudo_code[i]), TextRun::Level::base, false, here, true}}, Role::text, size);
+    text(view, x + 22, at + 14, {{std::string(algorithm.pseudo_code[i]), TextRun::Level::base, false, here, true}},
+         Role::text, size);
     at += row;
   }
   return at - y + 12;
@@ -118,13 +121,14 @@ double add_formula(View& view, const StepSource& source, std::uint32_t step, dou
 double add_tableau(View& view, const StepSource& source, std::uint32_t step, double x, double y, double width,
                    double height) {
   const TraceGraph& graph = *source.graph;
-  std::map<int, std::map<int, ValueId>> columns;  // level -> index -> value; of the whole trace, so the frame stands still
+  std::map<int, std::map<int, ValueId>>
+      columns;  // level -> index -> value; of the whole trace, so the frame stands still
   std::set<int> rows;
   for (ValueId v = 0; v < graph.value_count(); ++v) {
     const Name& name = graph.value(v).name;
     const ValueSpec* spec = source.algorithm->spec(name);
-    if (spec == nullptr || !spec->tableau || name.arity != 2 || !graph.scope(v).empty()) continue;
-    columns[name.index[0]][name.index[1]] = v;
+    if (spec == nullptr || !spec->tableau || name.arity == 0 || !graph.scope(v).empty()) continue;
+    columns[name.arity == 2 ? name.index[0] : 0][name.index[name.arity - 1]] = v;  // P[i] is level 0
   }
   if (columns.size() < 2) return 0;
   // Control points that no later level reads are not part of the triangle.
@@ -211,6 +215,12 @@ double add_knot_line(View& view, const StepSource& source, std::uint32_t step, d
   const double line = y + 26;
   const auto place = [&](double u) { return left + (u - first) / (last - first) * (right - left); };
   text(view, x, line + 4, {{"U", TextRun::Level::base, true}}, Role::text_quiet, 0.9);
+  // The number as the run writes it (1/4, not 0.25), if that is short.
+  const auto number = [&](const std::string& name, double value) {
+    const auto v = source.graph->find(name);
+    std::string exact = v ? source.value_text(*v) : std::string();
+    return exact.empty() || exact.size() > 8 ? format_short(value, 4) : exact;
+  };
 
   Polyline all;
   all.points = {{left, line, 0}, {right, line, 0}};
@@ -242,7 +252,7 @@ double add_knot_line(View& view, const StepSource& source, std::uint32_t step, d
     view.markers.push_back(knot);
     Label label;
     label.anchor = {place(curve.knots[i]), line + 20, 0};
-    label.text = {{std::to_string(end - i) + "(" + format_short(curve.knots[i], 3) + ")"}};
+    label.text = {{std::to_string(end - i) + "(" + number("U[" + std::to_string(i) + "]", curve.knots[i]) + ")"}};
     label.role = Role::text_quiet;
     label.size_scale = 0.72;
     label.placement = Label::Placement::centre;
@@ -270,8 +280,9 @@ double add_knot_line(View& view, const StepSource& source, std::uint32_t step, d
     u.role = Role::current;
     u.shape = Marker::Shape::diamond;
     view.markers.push_back(u);
-    Label& label = text(view, place(*source.parameter), line - 12,
-                        {{"u", TextRun::Level::base, true}, {" = " + format_short(*source.parameter, 4)}}, Role::text_current, 0.85);
+    Label& label =
+        text(view, place(*source.parameter), line - 12,
+             {{"u", TextRun::Level::base, true}, {" = " + number("u", *source.parameter)}}, Role::text_current, 0.85);
     label.placement = Label::Placement::centre;
     label.priority = 10;
   }

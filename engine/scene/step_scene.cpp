@@ -99,7 +99,8 @@ struct StepScenes::Samples {
     const auto at = [&](int a, int b) { return static_cast<std::uint32_t>(a * grid.columns + b); };
     for (int a = 0; a + 1 < grid.rows; ++a)
       for (int b = 0; b + 1 < grid.columns; ++b)
-        mesh.indices.insert(mesh.indices.end(), {at(a, b), at(a + 1, b), at(a + 1, b + 1), at(a, b), at(a + 1, b + 1), at(a, b + 1)});
+        mesh.indices.insert(mesh.indices.end(),
+                            {at(a, b), at(a + 1, b), at(a + 1, b + 1), at(a, b), at(a + 1, b + 1), at(a, b + 1)});
     mesh.role = Role::surface;
     for (int a = 0; a < grid.rows; a += mesh_per_span / 2) {
       isolines.emplace_back();
@@ -133,7 +134,8 @@ StepScenes::~StepScenes() = default;
 namespace {
 
 // The camera that shows the bounds in a view of this aspect, with a margin for labels.
-Camera camera_for(const Bounds& bounds, const std::vector<glm::dvec3>& extent, bool spatial, double width, double height) {
+Camera camera_for(const Bounds& bounds, const std::vector<glm::dvec3>& extent, bool spatial, double width,
+                  double height) {
   Camera camera;
   const double margin = 1.18;
   camera.centre = (bounds.low + bounds.high) * 0.5;
@@ -181,12 +183,14 @@ void add_grid(View& view, double width, double height) {
   };
   for (double x = std::ceil((camera.centre.x - half_w) / step) * step; x <= camera.centre.x + half_w; x += step) {
     const bool axis = std::abs(x) < step / 2;
-    view.polylines.push_back(line({{x, camera.centre.y - half_h, 0}, {x, camera.centre.y + half_h, 0}}, axis ? Role::axis : Role::grid));
+    view.polylines.push_back(
+        line({{x, camera.centre.y - half_h, 0}, {x, camera.centre.y + half_h, 0}}, axis ? Role::axis : Role::grid));
     if (x + 36 * unit < camera.centre.x + half_w) tick(x, false);
   }
   for (double y = std::ceil((camera.centre.y - half_h) / step) * step; y <= camera.centre.y + half_h; y += step) {
     const bool axis = std::abs(y) < step / 2;
-    view.polylines.push_back(line({{camera.centre.x - half_w, y, 0}, {camera.centre.x + half_w, y, 0}}, axis ? Role::axis : Role::grid));
+    view.polylines.push_back(
+        line({{camera.centre.x - half_w, y, 0}, {camera.centre.x + half_w, y, 0}}, axis ? Role::axis : Role::grid));
     if (y + 16 * unit < camera.centre.y + half_h) tick(y, true);
   }
 }
@@ -199,8 +203,8 @@ std::string other_share(const std::string& share, double value) {
 }
 
 // What the current step does to two points: A and B are divided at M, as the share a says.
-void add_division(View& view, const glm::dvec3& A, const glm::dvec3& B, const glm::dvec3& M, double a, const std::string& share,
-                  bool swapped) {
+void add_division(View& view, const glm::dvec3& A, const glm::dvec3& B, const glm::dvec3& M, double a,
+                  const std::string& share, bool swapped) {
   const auto label = [&](const glm::dvec3& from, const glm::dvec3& to, const std::string& words) {
     Label made;
     made.anchor = (from + to) * 0.5;
@@ -280,11 +284,15 @@ View StepScenes::viewport(std::uint32_t step, double width, double height) const
     const Name& name = graph.value(v).name;
     if (graph.is_input(v)) return graph.alive(v, step) ? Role::control_point : Role::retired;
     switch (spec->draw) {
-      case ValueSpec::Draw::level: return name.arity == 2 ? level_role(name.index[0]) : Role::earlier;
+      case ValueSpec::Draw::level:
+        return name.arity == 2 ? level_role(name.index[0]) : Role::earlier;
       case ValueSpec::Draw::polygon:
-      case ValueSpec::Draw::net: return Role::result;
-      case ValueSpec::Draw::point: return graph.operands(v).size() == 1 ? Role::result : Role::earlier;
-      case ValueSpec::Draw::none: break;
+      case ValueSpec::Draw::net:
+        return Role::result;
+      case ValueSpec::Draw::point:
+        return graph.operands(v).size() == 1 ? Role::result : Role::earlier;
+      case ValueSpec::Draw::none:
+        break;
     }
     return Role::earlier;
   };
@@ -328,7 +336,8 @@ View StepScenes::viewport(std::uint32_t step, double width, double height) const
     const bool loud = made_now && single;
     const bool read = operands.contains(v) && single;
     const Role role = loud ? Role::current : role_of(v);
-    if (read && !made_now) view.markers.push_back(marker(*source.points[v], Role::operand, 1.7 * size, Marker::Shape::ring));
+    if (read && !made_now)
+      view.markers.push_back(marker(*source.points[v], Role::operand, 1.7 * size, Marker::Shape::ring));
     view.markers.push_back(marker(*source.points[v], role, size));
     if (surface_done || (shown.size() > most_labels && !made_now && !read)) continue;
     if (!made_now && !read && !here(v)) continue;
@@ -336,7 +345,8 @@ View StepScenes::viewport(std::uint32_t step, double width, double height) const
     Label label;
     label.anchor = *source.points[v];
     label.text = typeset_name(graph.value(v).name, source.algorithm_at(graph.value(v).step));
-    label.role = loud ? Role::text_current : (read ? Role::text_strong : (graph.is_input(v) || made_now ? Role::text : Role::text_quiet));
+    label.role = loud ? Role::text_current
+                      : (read ? Role::text_strong : (graph.is_input(v) || made_now ? Role::text : Role::text_quiet));
     label.size_scale = loud ? 1.15 : 1;
     label.placement = Label::Placement::around;
     label.priority = made_now ? 30 : (read ? 15 : (graph.is_input(v) ? 5 : 0));
@@ -351,7 +361,8 @@ View StepScenes::viewport(std::uint32_t step, double width, double height) const
     std::vector<ValueId> points;
     for (const ValueId o : from)
       if (source.points[o] && graph.value(o).kind == ValueKind::point) points.push_back(o);
-    if (from.size() == 3 && points.size() == 2 && source.points[main] && (rule->polar == Polar::blend || rule->polar == Polar::merge)) {
+    if (from.size() == 3 && points.size() == 2 && source.points[main] &&
+        (rule->polar == Polar::blend || rule->polar == Polar::merge)) {
       // a of Blend belongs to the second point, a of Elevate to the first.
       const glm::dvec3 &A = *source.points[points[0]], &B = *source.points[points[1]], &M = *source.points[main];
       const bool merge = rule->polar == Polar::merge;
@@ -365,7 +376,8 @@ View StepScenes::viewport(std::uint32_t step, double width, double height) const
       add_division(view, A, B, M, a, share, merge);
     } else if (points.size() == 2 && graph.value(main).kind == ValueKind::scalar) {
       view.polylines.push_back(line({*source.points[points[0]], *source.points[points[1]]}, Role::ratio_near));
-      for (const ValueId o : points) view.markers.push_back(marker(*source.points[o], Role::operand, 1.7 * size, Marker::Shape::ring));
+      for (const ValueId o : points)
+        view.markers.push_back(marker(*source.points[o], Role::operand, 1.7 * size, Marker::Shape::ring));
     }
   }
   return view;
@@ -400,9 +412,11 @@ Scene StepScenes::page(std::uint32_t step, const std::string& narration, const P
     return page.labels.back();
   };
   const double room_for_title = options.width - 2 * margin - 130;  // beside the step's number
-  const double title_size = std::min(1.35, room_for_title / (static_cast<double>(options.title.size()) * 12.2));  // of the theme with the largest text
+  const double title_size = std::min(
+      1.35, room_for_title / (static_cast<double>(options.title.size()) * 12.2));  // of the theme with the largest text
   text(margin, 34, {{options.title, TextRun::Level::base, false, true}}, Role::text_strong, title_size);
-  text(options.width - margin, 34, {{"step " + std::to_string(step) + " / " + std::to_string(graph.step_count() - 1)}}, Role::text_quiet, 1)
+  text(options.width - margin, 34, {{"step " + std::to_string(step) + " / " + std::to_string(graph.step_count() - 1)}},
+       Role::text_quiet, 1)
       .placement = Label::Placement::right;
 
   // Narration, with the phase it happens in.
@@ -414,7 +428,8 @@ Scene StepScenes::page(std::uint32_t step, const std::string& narration, const P
   for (const std::uint32_t phase : graph.phase_path(graph.step(step).phase))
     phases += (phases.empty() ? "" : "  ›  ") + source.phase_title(phase);
   if (!phases.empty()) {
-    text(margin, y - 2, {{phases}}, Role::text_quiet, std::min(0.85, (options.width - 2 * margin) / (static_cast<double>(phases.size()) * 8)));
+    text(margin, y - 2, {{phases}}, Role::text_quiet,
+         std::min(0.85, (options.width - 2 * margin) / (static_cast<double>(phases.size()) * 8)));
     y += 20;
   }
   // A long one on a small page is set smaller, so that its last line is still on it.
@@ -424,7 +439,8 @@ Scene StepScenes::page(std::uint32_t step, const std::string& narration, const P
   };
   double narration_size = 1.08;
   while (narration_size > 0.7 && y - 10 + narration_height(narration_size) > options.height) narration_size -= 0.04;
-  text(margin, y + 4, typeset_text(narration, source.algorithm_at(step)), Role::text, narration_size).max_width = narration_width;
+  text(margin, y + 4, typeset_text(narration, source.algorithm_at(step)), Role::text, narration_size).max_width =
+      narration_width;
 
   // Side panels, from above; the knots below the picture.
   View side_view;

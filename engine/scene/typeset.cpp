@@ -94,7 +94,8 @@ RichText typeset_text(std::string_view text, const Algorithm& algorithm) {
         after = stop + 1;
       }
     }
-    // A word is a name when it has indices, is a Greek letter, or is a single letter of the algorithm's table ("a" is not).
+    // A word is a name when it has indices, is a Greek letter, or is a single letter of the algorithm's table ("a" is
+    // not).
     const bool single = symbol.size() == 1 && algorithm.spec({Symbol::of(symbol), {0, 0}, 0}) != nullptr;
     if (indices.empty() && !letter_of(symbol) && !single) {
       i = end;

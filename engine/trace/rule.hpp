@@ -94,7 +94,8 @@ inline bool to_int(const Exact& x, int& out) { return x.is_integer() && to_int(x
 
 // Reads one operand as T; a span takes either one list or, being last, all operands that are left.
 template <Scalar S, class T>
-bool read_operand(std::span<const NumbersView<S>> operands, std::size_t& at, bool last, std::vector<S>& gathered, T& out) {
+bool read_operand(std::span<const NumbersView<S>> operands, std::size_t& at, bool last, std::vector<S>& gathered,
+                  T& out) {
   if constexpr (is_span<T>) {
     if (last && !(operands.size() == at + 1 && operands[at].size() != 1)) {
       gathered.clear();
@@ -147,7 +148,8 @@ bool accepts(std::span<const ValueKind> operands) {
   std::size_t at = 0;
   return [&]<std::size_t... I>(std::index_sequence<I...>) {
     return (accepts_operand<std::tuple_element_t<I, Operands>>(operands, at, I + 1 == count) && ...);
-  }(std::make_index_sequence<count>{}) && at == operands.size();
+  }
+  (std::make_index_sequence<count>{}) && at == operands.size();
 }
 
 inline void write_result(int made, Numbers<double>& out) { out.assign(1, made); }
@@ -174,7 +176,8 @@ bool replay(std::span<const NumbersView<S>> operands, Numbers<S>& result) {
   std::size_t at = 0;
   const bool read = [&]<std::size_t... I>(std::index_sequence<I...>) {
     return (read_operand<S>(operands, at, I + 1 == count, gathered, std::get<I>(arguments)) && ...);
-  }(std::make_index_sequence<count>{});
+  }
+  (std::make_index_sequence<count>{});
   if (!read || at != operands.size()) return false;
   return std::apply(
       [&](const auto&... a) {

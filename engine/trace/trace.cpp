@@ -7,11 +7,16 @@ namespace blossom {
 
 std::string_view kind_name(ValueKind kind) {
   switch (kind) {
-    case ValueKind::integer: return "integer";
-    case ValueKind::scalar: return "scalar";
-    case ValueKind::point: return "point";
-    case ValueKind::vector: return "vector";
-    case ValueKind::list: return "list";
+    case ValueKind::integer:
+      return "integer";
+    case ValueKind::scalar:
+      return "scalar";
+    case ValueKind::point:
+      return "point";
+    case ValueKind::vector:
+      return "vector";
+    case ValueKind::list:
+      return "list";
   }
   return "";
 }
@@ -84,8 +89,8 @@ std::optional<ValueId> TraceGraph::find(std::string_view name) const {
 }
 
 std::size_t TraceGraph::memory_bytes() const {
-  return values_.size() * sizeof(ValueRecord) + operands_.size() * sizeof(ValueId) + steps_.size() * sizeof(StepRecord) +
-         retired_by_step_.size() * sizeof(retired_by_step_[0]);
+  return values_.size() * sizeof(ValueRecord) + operands_.size() * sizeof(ValueId) +
+         steps_.size() * sizeof(StepRecord) + retired_by_step_.size() * sizeof(retired_by_step_[0]);
 }
 
 template <Scalar S>
@@ -178,8 +183,9 @@ bool Trace<S>::operator==(const Trace& other) const {
   for (ValueId v = 0; v < value_count(); ++v) {
     const auto& a = values_[v];
     const auto& b = other.values_[v];
-    if (a.name != b.name || a.rule != b.rule || a.step != b.step || a.kind != b.kind || retired_at(v) != other.retired_at(v) ||
-        !std::ranges::equal(operands(v), other.operands(v)) || !std::ranges::equal(numbers(v), other.numbers(v)))
+    if (a.name != b.name || a.rule != b.rule || a.step != b.step || a.kind != b.kind ||
+        retired_at(v) != other.retired_at(v) || !std::ranges::equal(operands(v), other.operands(v)) ||
+        !std::ranges::equal(numbers(v), other.numbers(v)))
       return false;
   }
   return polar_labels() == other.polar_labels();

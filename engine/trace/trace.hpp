@@ -1,8 +1,9 @@
 #pragma once
 // A trace: the graph of named values that an algorithm made, in the order it made them.
 //
-// Values are never overwritten. Each is born at one step, may be retired at a later one, and knows its rule and operands.
-// Steps number from 0: step 0 shows the inputs. A phase is a nested part of the algorithm (and may be another algorithm).
+// Values are never overwritten. Each is born at one step, may be retired at a later one, and knows its rule and
+// operands. Steps number from 0: step 0 shows the inputs. A phase is a nested part of the algorithm (and may be another
+// algorithm).
 //
 // TraceGraph is everything but the numbers; Trace<S> adds them. 92 bytes for a blended point in double.
 
@@ -34,7 +35,7 @@ struct ValueRecord {
 static_assert(sizeof(ValueRecord) <= 40);
 
 struct StepRecord {
-  ValueId first_value = 0;   // the step's values are those up to the next step's first
+  ValueId first_value = 0;  // the step's values are those up to the next step's first
   std::uint32_t phase = absent;
 };
 
@@ -42,10 +43,10 @@ struct PhaseRecord {
   std::string id;
   int index = -1;
   bool scoped = false;
-  std::string algorithm;          // not empty: this phase is that algorithm
+  std::string algorithm;  // not empty: this phase is that algorithm
   std::uint32_t parent = absent;
-  std::uint32_t first_step = 0;   // its own step, which introduces it
-  std::uint32_t last_step = 0;    // the last step inside
+  std::uint32_t first_step = 0;  // its own step, which introduces it
+  std::uint32_t last_step = 0;   // the last step inside
 
   std::string label() const { return index < 0 ? id : id + "[" + std::to_string(index) + "]"; }
   bool operator==(const PhaseRecord&) const = default;

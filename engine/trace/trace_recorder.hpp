@@ -5,6 +5,10 @@
 
 namespace blossom {
 
+// What a recorder throws when a run makes more values than anybody could look at.
+struct TraceTooLarge {};
+inline constexpr std::uint32_t most_values = 2'000'000;
+
 template <Scalar S>
 class TraceRecorder : private Trace<S> {
  public:
@@ -125,7 +129,8 @@ class TraceRecorder : private Trace<S> {
     this->polar_seeds_.push_back({Trace<S>::PolarSeed::Kind::bezier, id, static_cast<std::uint32_t>(i), n, 0});
   }
   void polar_net(Id id, std::span<const S> u, std::span<const S> v) {
-    this->polar_seeds_.push_back({Trace<S>::PolarSeed::Kind::net, id, static_cast<std::uint32_t>(this->polar_numbers_.size()),
+    this->polar_seeds_.push_back({Trace<S>::PolarSeed::Kind::net, id,
+                                  static_cast<std::uint32_t>(this->polar_numbers_.size()),
                                   static_cast<std::int32_t>(u.size()), static_cast<std::int32_t>(v.size())});
     this->polar_numbers_.insert(this->polar_numbers_.end(), u.begin(), u.end());
     this->polar_numbers_.insert(this->polar_numbers_.end(), v.begin(), v.end());
@@ -134,11 +139,13 @@ class TraceRecorder : private Trace<S> {
  private:
   std::uint32_t phase_ = absent;
   int grouped_ = 0;
-  bool step_open_ = false;          // values wait for the step that will hold them
+  bool step_open_ = false;  // values wait for the step that will hold them
   ValueId open_first_ = 0;
 
   Id begin_value(const Name& name, const RuleInfo* rule, ValueKind kind) {
     const Id id = this->value_count();
+    if (id == most_values) [[unlikely]]
+      throw TraceTooLarge{};
     if (!step_open_) {
       step_open_ = true;
       open_first_ = id;

@@ -86,7 +86,22 @@ class TextReport final : public Report {
     bool invalid = false;
   };
 
+  // A part's feedback; advice that this student has read already is only named.
+  std::string feedback(const PartGrade& part, std::vector<std::string_view>& given) const {
+    if (part.misconception.empty()) return part.feedback;
+    if (std::ranges::find(given, part.misconception) == given.end()) {
+      given.push_back(part.misconception);
+      return part.feedback;
+    }
+    const auto& known = exercise_->run.algorithm->misconceptions;
+    const auto m = std::ranges::find(known, part.misconception, &Misconception::id);
+    const std::string advice = advice_of(*m);
+    if (!part.feedback.starts_with(advice)) return part.feedback;
+    return "As above: " + std::string(m->title) + "." + part.feedback.substr(advice.size());
+  }
+
   void write_parts(const Grade& grade, std::string& out) const {
+    std::vector<std::string_view> given;
     std::size_t names = 0, verdicts = 0, points = 0;
     for (std::size_t i = 0; i < grade.parts.size(); ++i) {
       names = std::max(names, exercise_->parts[i].name.size());
@@ -99,7 +114,8 @@ class TextReport final : public Report {
              pad(std::string(verdict_name(part.verdict)), verdicts) + "  " +
              pad_left(of(part.points, exercise_->parts[i].points), points);
       out += "\n";
-      if (!part.feedback.empty() && part.verdict != Verdict::correct) out += "      " + printable(part.feedback) + "\n";
+      if (!part.feedback.empty() && part.verdict != Verdict::correct)
+        out += "      " + printable(feedback(part, given)) + "\n";
     }
   }
 

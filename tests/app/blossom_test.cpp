@@ -332,7 +332,7 @@ TEST_CASE("lint checks the form of answers, and their names against the exercise
   "answers": {
     "k": true,
     "P[1][2]": [0, "1/0"],
-    "P[3][3]": [0, 1],
+    "p[3][4]": [0, 1],
     "alpha[1][2]": {"sett": [0, 1]},
     "P[1][3]": [0, "1/2"]
   },
@@ -342,7 +342,7 @@ TEST_CASE("lint checks the form of answers, and their names against the exercise
   CHECK(ended.status == 1);
   for (const auto* place : {":5:10: ", ":6:20: ", ":7:5: ", ":8:20: ", ":11:3: "})
     CHECK(contains(ended.err, "answers.json" + std::string(place)));
-  CHECK(contains(ended.err, "does not ask for \"P[3][3]\"; did you mean"));
+  CHECK(contains(ended.err, "does not ask for \"p[3][4]\"; did you mean \"P[3][4]\"?"));
   CHECK_FALSE(contains(ended.err, "answers.json:9"));
 }
 

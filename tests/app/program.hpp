@@ -58,14 +58,15 @@ struct Ended {
 struct Setting {
   std::string input = {};      // standard input
   std::string output_to = {};  // a file for standard output, instead of catching it
+  std::string folder = {};     // to start in, instead of the root of the sources
 };
 
-// "blossom" or "blossom-grade", in the root of the sources (where `lessons` and `exercises` are).
+// "blossom" or "blossom-grade" (or a file elsewhere), in the root of the sources, where `lessons` and `exercises` are.
 inline Ended run_program(const std::string& program, std::vector<std::string> arguments, const Setting& setting = {}) {
   const Scratch scratch;
   const std::string in = scratch.write("in", setting.input), out = scratch / "out", err = scratch / "err";
   const std::string output = setting.output_to.empty() ? out : setting.output_to;
-  arguments.insert(arguments.begin(), std::string(BLOSSOM_BIN_DIR) + "/" + program);
+  arguments.insert(arguments.begin(), (fs::path(BLOSSOM_BIN_DIR) / program).string());
   std::vector<char*> argv;
   for (auto& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
@@ -75,6 +76,7 @@ inline Ended run_program(const std::string& program, std::vector<std::string> ar
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, in.c_str(), O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
+  if (!setting.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, setting.folder.c_str());
   pid_t child = 0;
   const int failed = posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);

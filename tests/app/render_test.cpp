@@ -103,11 +103,22 @@ TEST_CASE("render in each theme is a picture of its own") {
 TEST_CASE("render says every wrong option before it draws") {
   const Scratch scratch;
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
-      {{"05", "--theme", "sepia"}, "sepia"},        {{"05", "--size", "12"}, "12"},
-      {{"05", "--size", "100x100"}, "480x360"},     {{"05", "--size", "640x480x3"}, "640x480x3"},
-      {{"05", "--size", "99999x480"}, "99999x480"}, {{"05", "--scale", "0"}, "--scale"},
-      {{"05", "--step", "-1"}, "--step"},           {{"05", "--step", "two"}, "--step"},
-      {{"05", "--context", "metal"}, "metal"},      {{}, "LESSON"}};
+      {{"05", "--theme", "sepia"}, "sepia"},
+      {{"05", "--size", "12"}, "12"},
+      {{"05", "--size", "100x100"}, "480x360"},
+      {{"05", "--size", "640x480x3"}, "640x480x3"},
+      {{"05", "--size", "99999x480"}, "99999x480"},
+      {{"05", "--scale", "0"}, "--scale"},
+      {{"05", "--scale", "nan"}, "--scale"},
+      {{"05", "--all", "--step", "3"}, "--all"},
+      {{"05", "--size", "8192x8192"}, "64 million"},
+      {{"05", "--size", "4000x3000", "--scale", "4"}, "64 million"},
+      {{"05", "--size", "8192x480", "--scale", "4"}, "16384"},
+      {{"05", "--svg", "--size", "16384x16384"}, "64 million"},
+      {{"05", "--step", "-1"}, "--step"},
+      {{"05", "--step", "two"}, "--step"},
+      {{"05", "--context", "metal"}, "metal"},
+      {{}, "LESSON"}};
   for (auto [arguments, words] : cases) {
     arguments.insert(arguments.end(), {"--out", scratch / "out"});
     const auto ended = render(arguments);
@@ -122,6 +133,14 @@ TEST_CASE("render says every wrong option before it draws") {
   CHECK(contains(both.err, "--theme"));
   CHECK(contains(both.err, "--size"));
   CHECK_FALSE(fs::exists(scratch / "out"));
+}
+
+TEST_CASE("Pages are bounded by their pixels, and the manual says so") {
+  const Scratch scratch;
+  const auto wide = render({"01", "--step", "1", "--svg", "--size", "8000x8000", "--out", scratch.path()});
+  SHOW(wide);
+  CHECK(wide.status == 0);
+  CHECK(contains(render({"--help"}).out, "64 million"));
 }
 
 TEST_CASE("A step that the lesson has not is the input's fault") {

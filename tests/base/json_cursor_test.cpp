@@ -109,6 +109,17 @@ TEST_CASE("hostile: names stay short and on one line") {
   CHECK(lines.find("[\"P[1][2]\"][\"x y\"]: must be true or false, not 0") != std::string::npos);
 }
 
+TEST_CASE("a string has line breaks and tabs, and no other control characters") {
+  CHECK(said(R"("two\n\tlines, \u00e9\u20ac\u00a0")",
+             [](const Cursor& at) { CHECK(at.string() == "two\n\tlines, \xC3\xA9\xE2\x82\xAC\xC2\xA0"); }) == "");
+  for (const char* text : {R"("\u001b[2J")", R"("\r")", R"("\u007f")", R"("\u009b")", R"("a\u202eb")", R"("\u2066")",
+                           R"("\u2028")", R"("\u2029")"}) {
+    INFO(text);
+    CHECK(said(text, [](const Cursor& at) { CHECK_FALSE(at.string().has_value()); }) ==
+          "f:1:1: must not contain control characters: they act on a terminal or on the direction of the text\n");
+  }
+}
+
 TEST_CASE("hostile: mistakes are listed up to a bound, in time that does not grow with their square") {
   std::string text = "[";
   for (int i = 0; i < 300'000; ++i) text += "null,";

@@ -66,9 +66,9 @@ TEST_CASE("hostile: what is no readable file is said, and never waited for") {
   const Folder folder;
   CHECK(refused(folder / "none.json") == "cannot be read: No such file or directory");
   CHECK(refused(folder / "") == "must be a file, not a folder");
-  CHECK(refused("/dev/zero") == "must be a file, not a device");
+  CHECK(refused("/dev/zero") == "must be a file, not a device; use - for standard input");
   REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
-  CHECK(refused(folder / "pipe") == "must be a file, not a pipe");
+  CHECK(refused(folder / "pipe") == "must be a file, not a pipe; use - for standard input");
   fs::create_symlink(folder / "loop", folder / "loop");
   CHECK(refused(folder / "loop") == "cannot be read: Too many levels of symbolic links");
   put(folder / "empty.json", "");

@@ -108,6 +108,33 @@ TEST_CASE("an unknown algorithm, impossible inputs, and an irrational value aske
              "more than 0 points"));
 }
 
+TEST_CASE("a tolerance that accepts nearly everything is a mistake") {
+  // The largest number asked is 20.
+  const auto on_point = [](const std::string& tolerance, const std::string& own = "") {
+    return mistakes(
+        exercise_text("de_casteljau", R"({"curve": {"degree": 1, "points": [[0, 0], [32, -40]]}, "u": "1/2"})",
+                      R"([{"value": "P[1][0]", "points": 1)" + own + "}]", R"(, "tolerance": )" + tolerance));
+  };
+  CHECK(says(on_point(R"({"relative": 1})"), "tolerance.relative: must be at least 0 and below 1"));
+  CHECK(says(on_point(R"({"relative": "3/2"})"), "below 1, not \"3/2\""));
+  CHECK(says(on_point(R"({"relative": -0.1})"), "must be at least 0 and below 1"));
+  CHECK(on_point(R"({"relative": 0.99})").empty());
+  CHECK(on_point(R"({"absolute": 2})").empty());
+  CHECK(says(on_point(R"({"absolute": 2.01})"),
+             "tolerance: accepts nearly everything: an absolute tolerance must be "
+             "at most 2, a tenth of the largest number it is for"));
+  CHECK(
+      says(on_point("\"exact\"", R"(, "tolerance": {"absolute": 3})"), "ask[0].tolerance: accepts nearly everything"));
+  for (const char* kind : {"decimals", "significant"}) {
+    INFO(kind);
+    CHECK(on_point(std::string("{\"") + kind + "\": 15}").empty());
+    CHECK(says(on_point(std::string("{\"") + kind + "\": 16}"), "15"));
+    CHECK_FALSE(on_point(std::string("{\"") + kind + "\": -1}").empty());
+  }
+  CHECK(on_point(R"({"decimals": 0})").empty());
+  CHECK_FALSE(on_point(R"({"significant": 0})").empty());
+}
+
 TEST_CASE("a file that is none is a diagnostic") {
   CHECK_FALSE(load_exercise("tests/data/grader/missing.json"));
   CHECK_FALSE(load_exercise("tests/data/grader"));

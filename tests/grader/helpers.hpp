@@ -35,6 +35,18 @@ inline Grade grade_answers(const Grader& grader, const std::string& answers) {
   return grade_text(grader, answers_text(answers));
 }
 
+// An exercise that is shipped, and answers to it.
+inline Grader shipped(const std::string& name) {
+  auto exercise = load_exercise("exercises/" + name + ".json");
+  INFO(to_string(exercise.diagnostics));
+  REQUIRE(exercise);
+  return Grader(std::move(*exercise));
+}
+inline Grade grade_answers_to(const Grader& grader, const std::string& answers) {
+  return grade_text(grader, R"({"schema": "blossom.answers/1", "exercise": ")" + grader.exercise().id +
+                                R"(", "answers": )" + answers + "}");
+}
+
 inline const PartGrade& part(const Grade& grade, const std::string& name) {
   const auto i = grade.exercise->part(name);
   INFO(name);

@@ -93,6 +93,24 @@ TEST_CASE("grades as text: a block for each student, then a table of scores") {
         "max     0 %    0/2.5        .        .              .     .      .        .        3\n");
 }
 
+TEST_CASE("advice on a misconception is given once to a student, and named where it applies again") {
+  const auto grader = grader_of(
+      exercise_text("de_casteljau", R"({"curve": {"degree": 2, "points": [[0, 0], [4, 4], [8, 0]]}, "u": "1/4"})",
+                    R"([{"value": "P[1][*]", "points": 1}])"));
+  const std::string swapped = answers_text(R"({"P[1][0]": [3, 3], "P[1][1]": [7, 1]})");
+  const std::string out = report(format("text"), *grader, {{"ann", swapped}, {"bob", swapped}});
+  const auto times = [](const std::string& text, const std::string& what) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
+    return count;
+  };
+  const std::string advice = "The weight of each point is the distance to the other one";
+  INFO(out);
+  CHECK(times(out, advice) == 2);  // once to each
+  CHECK(times(out, "      As above: the weights are swapped. Right is P[1][1] = ") == 2);
+  CHECK(times(report(format("json"), *grader, {{"ann", swapped}}), advice) == 2);  // each part stands alone there
+}
+
 TEST_CASE("without feedback only scores are written") {
   const auto grader = grader_of(exercise_text("de_casteljau", inputs, ask, R"(, "feedback": "none")"));
   CHECK(report(format("text"), *grader, {{"ann", answers_text("{}")}}) == "ann: 0 % (0/2.5 points) in test\n\n");

@@ -178,6 +178,55 @@ TEST_CASE("carried credit is refused where the own values leave nothing to compu
                 "C") == "wrong");
 }
 
+TEST_CASE("own values that are equal to within the tolerance, zero, or copied by a ratio of 0 earn nothing") {
+  const Grader grader = shipped("05-de-boor");
+  // What these answers earn, all other points being `rest`.
+  const auto points = [&](std::map<std::string, std::string> answers, const std::string& rest) {
+    std::string text;
+    for (const Part& p : grader.exercise().parts)
+      if (p.name.starts_with("P[")) answers.try_emplace(p.name, rest);
+    for (const auto& [name, answer] : answers) text += (text.empty() ? "" : ", ") + json_quote(name) + ": " + answer;
+    return grade_answers_to(grader, "{" + text + "}").points;
+  };
+  CHECK(points({{"P[1][2]", "[7, 7]"}, {"P[1][3]", R"(["7.0001", 7])"}}, "[7, 7]") == Exact(0));
+  // Rounded values widen what counts as carried, and what counts as a copy with it.
+  CHECK(points({{"P[1][2]", R"(["7.00", "7.00"])"}, {"P[1][3]", R"(["7.0035", 7])"}}, "[7, 7]") == Exact(0));
+  const std::map<std::string, std::string> no_ratio{{"alpha[1][2]", "0"}, {"alpha[1][3]", "0"}, {"alpha[1][4]", "0"}};
+  CHECK(points(no_ratio, "[0, 0]") == Exact(0));
+  // With alpha = 0 the points of a level are those of the level before.
+  std::map<std::string, std::string> copied = no_ratio;
+  copied.insert({{"P[1][2]", "[0, 0]"}, {"P[1][3]", "[0, 20]"}, {"P[1][4]", "[30, 20]"}});
+  CHECK(points(copied, "[0, 0]") == Exact(0));
+  // And the same through levels that nobody asked.
+  const auto sparse = grader_of(exercise_text("de_boor", de_boor_inputs,
+                                              R"([{"value": "P[1][*]", "points": 1}, {"value": "C", "points": 1}])",
+                                              R"(, "tolerance": {"absolute": 0.001})"));
+  CHECK(grade_answers(*sparse, R"({"P[1][2]": [7, 7], "P[1][3]": ["7.0001", 7], "P[1][4]": [7, 7], "C": [7, 7]})")
+            .points == Exact(0));
+}
+
+TEST_CASE("a list made of parameters that fell on an end or on each other earns nothing") {
+  for (const char* id : {"13-skinning-parameters", "14-skinning-hull"}) {
+    const Grader grader = shipped(id);
+    const auto knots = [&](const std::string& v1, const std::string& v2, const std::string& middle) {
+      return part(grade_answers_to(grader, R"({"v[1]": )" + v1 + R"(, "v[2]": )" + v2 + R"(, "V": [0, 0, 0, )" +
+                                               middle + ", 1, 1, 1]}"),
+                  "V")
+          .verdict;
+    };
+    INFO(id);
+    CHECK(knots("0", "0", "0") == Verdict::wrong);
+    CHECK(knots("1", "1", "1") == Verdict::wrong);
+    CHECK(knots("\"0.25\"", "\"0.25\"", "\"0.25\"") == Verdict::wrong);
+    CHECK(knots("\"0.25\"", "\"0.75\"", "\"0.5\"") == Verdict::carried);
+  }
+  // To within the tolerance, too.
+  const Grader hull = shipped("14-skinning-hull");
+  for (const char* answers : {R"({"v[1]": 0, "v[2]": 0.0004, "V": [0, 0, 0, 0.0002, 1, 1, 1]})",
+                              R"({"v[1]": 0.3, "v[2]": 0.3001, "V": [0, 0, 0, 0.3, 1, 1, 1]})"})
+    CHECK(grade_answers_to(hull, answers).points == Exact(0));
+}
+
 TEST_CASE("points that coincide in the exercise itself are no trick") {
   const auto grader = grader_of(
       exercise_text("de_casteljau", R"({"curve": {"degree": 2, "points": [[0, 0], [2, 2], [2, 2]]}, "u": "1/2"})",
@@ -204,6 +253,18 @@ TEST_CASE("slips: a sign, all signs, exchanged coordinates, transposed digits") 
   CHECK(slip("[12, 72]").verdict == Verdict::slip);
   CHECK(slip("[12, 72]").points == Exact::ratio(1, 4));
   CHECK(slip("[13, 28]").verdict == Verdict::wrong);
+  // With a tolerance the digits that count must be those of the right number; those behind them explain nothing.
+  const auto rounded =
+      grader_of(exercise_text("de_casteljau", R"({"curve": {"degree": 1, "points": [[0, 0], [32, 40]]}, "u": "1/2"})",
+                              R"([{"value": "P[1][0]", "points": 1}])", R"(, "tolerance": {"absolute": "0.001"})"));
+  CHECK(verdict(grade_answers(*rounded, R"({"P[1][0]": ["16.0010000001", 20]})"), "P[1][0]") == "wrong");
+  CHECK(verdict(grade_answers(*rounded, R"({"P[1][0]": ["61", 20]})"), "P[1][0]") == "slip");
+  CHECK(verdict(grade_answers(*rounded, R"({"P[1][0]": ["61.0", 20]})"), "P[1][0]") == "slip");
+  const auto thirds =
+      grader_of(exercise_text("de_casteljau", R"({"curve": {"degree": 1, "points": [[0, 0], [14, 4]]}, "u": "1/3"})",
+                              R"([{"value": "P[1][0]", "points": 1}])", R"(, "tolerance": {"decimals": 2})"));
+  CHECK(verdict(grade_answers(*thirds, R"({"P[1][0]": ["4.76", 1.33]})"), "P[1][0]") == "slip");  // 4.67
+  CHECK(verdict(grade_answers(*thirds, R"({"P[1][0]": ["4.76", 1.3]})"), "P[1][0]") == "wrong");
   // A slip is also told from what the own values make expected: P[1][0] = (14, 27) makes P[2][0] = (37/2, 30).
   CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [14, 27], "P[1][1]": [23, 33], "P[2][0]": [-18.5, 30]})"),
                 "P[2][0]") == "slip");
@@ -240,6 +301,16 @@ TEST_CASE("an answer nobody asked is a note, and costs nothing") {
   CHECK(verdict(grade, "k") == "correct");
   REQUIRE(grade.notes.size() == 2);
   CHECK(grade.notes[0] == "\"P[1][02]\" is not asked and was ignored; did you mean \"P[1][2]\"?");
+  // What is given or exists is no misspelling; another index is no typing mistake.
+  const Grade other = grade_answers(
+      *grader,
+      R"({"P[0][1]": [0, 1], "P[9][9]": 1, "p[1][3]": 1, "P[1,3]": 1, "alhpa[1][3]": 1, "U[3]": 0, "P13": 1})");
+  CHECK(other.notes ==
+        std::vector<std::string>{"\"P[0][1]\" is given and was ignored", "\"P[9][9]\" is not asked and was ignored",
+                                 "\"p[1][3]\" is not asked and was ignored; did you mean \"P[1][3]\"?",
+                                 "\"P[1,3]\" is not asked and was ignored; did you mean \"P[1][3]\"?",
+                                 "\"alhpa[1][3]\" is not asked and was ignored; did you mean \"alpha[1][3]\"?",
+                                 "\"U[3]\" is given and was ignored", "\"P13\" is not asked and was ignored"});
   std::string many = "{";
   for (int i = 0; i < 100; ++i) many += (i > 0 ? ", \"x" : "\"x") + std::to_string(i) + "\": 1";
   CHECK(grade_answers(*grader, many + "}").notes.back() == "90 more were ignored");
@@ -266,9 +337,9 @@ TEST_CASE("knot vectors are lists, or sets where the exercise says so") {
 TEST_CASE("each ask may have its own tolerance") {
   const auto grader = grader_of(exercise_text("de_boor", de_boor_inputs,
                                               R"([{"value": "alpha[1][3]", "points": 1},
-                                                  {"value": "alpha[2][4]", "points": 1, "tolerance": {"absolute": "1/10"}}])",
+                                                  {"value": "alpha[2][4]", "points": 1, "tolerance": {"absolute": "1/50"}}])",
                                               R"(, "tolerance": {"decimals": 2})"));
-  const Grade grade = grade_answers(*grader, R"({"alpha[1][3]": 0.53, "alpha[2][4]": 0.4})");  // 8/15 and 3/10
+  const Grade grade = grade_answers(*grader, R"({"alpha[1][3]": 0.53, "alpha[2][4]": 0.32})");  // 8/15 and 3/10
   CHECK(verdict(grade, "alpha[1][3]") == "correct");
   CHECK(verdict(grade, "alpha[2][4]") == "correct");
 }
@@ -280,7 +351,7 @@ TEST_CASE("feedback tells as much as the exercise allows") {
   };
   CHECK(told("none").empty());
   CHECK(told("verdict").empty());
-  CHECK(told("hint") == "Not the right value. The rule is alpha[1][3] = (u - U[3]) / (U[6] - U[3]).");
-  CHECK(told("full").starts_with("Not the right value. Right is alpha[1][3] = (u - U[3]) / (U[6] - U[3]) = "));
+  CHECK(told("hint") == "Not the right value. The rule is alpha[1][3] = (u - u_3) / (u_6 - u_3).");
+  CHECK(told("full").starts_with("Not the right value. Right is alpha[1][3] = (u - u_3) / (u_6 - u_3) = "));
   CHECK(told("full").ends_with(" = 8/15."));
 }

@@ -38,6 +38,14 @@ TEST_CASE("a file that does not say what it is, or says it wrong, is known by it
   CHECK(kind_of("3") == FileKind::unknown);
 }
 
+TEST_CASE("a JSON Schema is about files and none of them") {
+  CHECK(kind_of(R"({"$schema": "https://json-schema.org/draft/2020-12/schema", "ask": []})") == FileKind::schema);
+  CHECK(kind_of(R"({"$schema": "http://json-schema.org/draft-07/schema#"})") == FileKind::schema);
+  CHECK(kind_of(R"({"$schema": "lesson.schema.json", "beats": []})") == FileKind::lesson);
+  CHECK(kind_of(R"({"$schema": "https://json-schema.org/x", "schema": "blossom.exercise/1"})") == FileKind::exercise);
+  CHECK(kind_of(R"({"$schema": 7})") == FileKind::unknown);
+}
+
 TEST_CASE("kinds have names") {
   CHECK(file_kind_name(FileKind::lesson) == "lesson");
   CHECK(file_kind_name(FileKind::surface) == "surface");

@@ -178,6 +178,38 @@ TEST_CASE("inputs that are wrong, and inputs that turn out impossible on the way
       "lesson.json:4:1: inputs.profiles[1]: coincides with the profile before it: neighbouring profiles must differ\n");
 }
 
+TEST_CASE("numbers that overflow are said to, and not taken for profiles that coincide") {
+  CHECK(mistakes(beat("\"start\""), R"("algorithm": "skinning",
+"inputs": {"profiles": [
+{"degree": 1, "points": [[1.7e308, 0, 0], [1, 0, 0]]},
+{"degree": 1, "points": [[-1.7e308, 1, 1], [1, 0, 1]]},
+{"degree": 1, "points": [[1.7e308, 1, 2], [1, 0, 1.7e308]]}], "degree_v": 1}, )") ==
+        "lesson.json:2:11: inputs: on the way numbers become too large for double precision (above 1.8e308): scale the "
+        "input down (exact arithmetic has square roots in double precision)\n");
+}
+
+TEST_CASE("a parameter is a knot in exact arithmetic if and only if it is one in doubles") {
+  const std::string curve =
+      R"({"degree": 2, "knots": [0, 0, 0, "1/3", 1, 1, 1], "points": [[0, 0], [1, 1], [2, 0], [3, 1]]})";
+  const auto with = [&](const std::string& algorithm, const std::string& u) {
+    return mistakes(beat("\"start\""),
+                    R"("algorithm": ")" + algorithm + R"(", "inputs": {"curve": )" + curve + R"(, "u": )" + u + "}, ");
+  };
+  for (const std::string algorithm : {"de_boor", "knot_insertion"}) {
+    INFO(algorithm);
+    for (const std::string u :
+         {R"("333333333333333333333333/1000000000000000000000000")", R"("0.33333333333333333333")"})
+      CHECK_THAT(with(algorithm, u),
+                 Catch::Contains("inputs.u: differs from the knot u_3 = 1/3 by less than a double can tell"));
+    CHECK_THAT(with(algorithm, "1e-350"), Catch::Contains("differs from the knot u_0 = 0 by less"));
+    for (const std::string u : {"\"1/3\"", "0.3333333333333", "0.5"}) CHECK(with(algorithm, u).empty());
+    // Outside the domain, however little, and said in few digits.
+    CHECK_THAT(with(algorithm, "1e300"), Catch::EndsWith("inputs.u: must lie in the domain [0, 1], not at 1e+300\n"));
+    CHECK_THAT(with(algorithm, "\"1000000000000000000000001/1000000000000000000000000\""),
+               Catch::EndsWith("inputs.u: must lie in the domain [0, 1]; it lies just outside\n"));
+  }
+}
+
 TEST_CASE("what a lesson must have") {
   const auto nothing = load_lesson(parsed("{}"));
   CHECK(to_string(nothing.diagnostics) ==

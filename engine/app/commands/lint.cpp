@@ -6,7 +6,8 @@
 #include "algorithms/trace_json.hpp"
 #include "app/input.hpp"
 #include "geometry/document.hpp"
-#include "grader/exercise.hpp"
+#include "grader/answers.hpp"
+#include "lesson/catalog.hpp"
 #include "lesson/document.hpp"
 #include "lesson/file_kind.hpp"
 
@@ -15,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The files meant: a folder means the *.json files in it, except JSON Schemas.
-std::vector<fs::path> expand(const std::vector<std::string>& given) {
+// The files meant: a folder means those of json_files.
+std::vector<fs::path> expand(const std::vector<std::string>& given, Diagnostics& diagnostics) {
   std::vector<fs::path> files;
   for (const std::string& name : given) {
     std::error_code error;
@@ -24,10 +25,10 @@ std::vector<fs::path> expand(const std::vector<std::string>& given) {
       files.emplace_back(name);
       continue;
     }
-    std::vector<fs::path> found;
-    for (const auto& entry : fs::directory_iterator(name, error))
-      if (entry.path().extension() == ".json" && !entry.path().stem().string().ends_with(".schema")) found.push_back(entry.path());
-    std::ranges::sort(found);
+    const std::size_t before = diagnostics.size();
+    const auto found = json_files(name, diagnostics);
+    if (found.empty() && diagnostics.size() == before)
+      diagnostics.push_back({name, 0, 0, "", "there are no *.json files in this folder"});
     files.insert(files.end(), found.begin(), found.end());
   }
   return files;
@@ -35,10 +36,9 @@ std::vector<fs::path> expand(const std::vector<std::string>& given) {
 
 // The exercise of this id in the folder of exercises, if it is there and in order.
 std::optional<Exercise> find_exercise(const std::string& id) {
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(find_folder("exercises"), error)) {
-    if (entry.path().extension() != ".json" || entry.path().stem().string().ends_with(".schema")) continue;
-    const auto document = JsonDocument::load(entry.path());
+  Diagnostics none;  // a folder that cannot be read has no exercises
+  for (const fs::path& file : json_files(find_folder("exercises"), none)) {
+    const auto document = JsonDocument::load(file);
     if (!document) continue;
     const Json* own = document->root().find("id");
     if (own == nullptr || own->text != id) continue;
@@ -81,25 +81,40 @@ void check_answers(const Cursor& root) {
     check_answer(answers->member(i));
     if (asked.empty() || std::ranges::find(asked, name) != asked.end()) continue;
     std::string message = "the exercise does not ask for " + excerpt(name);
-    if (const auto near = did_you_mean(name, asked)) message += "; did you mean \"" + *near + "\"?";
+    if (const auto near = nearest_asked(*exercise, name)) message += "; did you mean \"" + *near + "\"?";
     answers->key_error(i, message);
   }
 }
 
 Diagnostics lint(const JsonDocument& document) {
+  if (document.name().ends_with(".schema.json")) return {};  // it is about such files
   Diagnostics diagnostics;
   const Cursor root(document, diagnostics);
   switch (file_kind(document.root())) {
-    case FileKind::lesson: return load_lesson(document).diagnostics;
-    case FileKind::exercise: return read_exercise(document).diagnostics;
-    case FileKind::trace: return read_trace(document).diagnostics;
-    case FileKind::curve: read_curve(root); break;
-    case FileKind::surface: read_surface(root); break;
-    case FileKind::answers: check_answers(root); break;
-    case FileKind::grade: expect_schema(root, "blossom.grade/1"); break;
+    case FileKind::lesson:
+      return load_lesson(document).diagnostics;
+    case FileKind::exercise:
+      return read_exercise(document).diagnostics;
+    case FileKind::trace:
+      return read_trace(document).diagnostics;
+    case FileKind::curve:
+      read_curve(root);
+      break;
+    case FileKind::surface:
+      read_surface(root);
+      break;
+    case FileKind::answers:
+      check_answers(root);
+      break;
+    case FileKind::grade:
+      expect_schema(root, "blossom.grade/1");
+      break;
+    case FileKind::schema:
+      break;
     case FileKind::unknown:
       root.error(
-          "is no file of Blossom's: \"schema\" must be \"blossom.lesson/1\", \"blossom.exercise/1\", \"blossom.answers/1\" or "
+          "is no file of Blossom's: \"schema\" must be \"blossom.lesson/1\", \"blossom.exercise/1\", "
+          "\"blossom.answers/1\" or "
           "\"blossom.trace/1\"; a curve or surface has \"degree\" and \"points\"");
       break;
   }
@@ -109,13 +124,15 @@ Diagnostics lint(const JsonDocument& document) {
 int run(const std::vector<std::string>& given) {
   Diagnostics all;
   std::size_t good = 0;
-  for (const fs::path& file : expand(given)) {
+  const auto files = expand(given, all);
+  for (const fs::path& file : files) {
     const auto document = JsonDocument::load(file);
     const Diagnostics found = document ? lint(*document) : document.diagnostics;
     good += found.empty() ? 1 : 0;
     all.insert(all.end(), found.begin(), found.end());
   }
   const int status = report(all);
+  if (files.empty()) return status;
   std::cout << good << (good == 1 ? " file is" : " files are") << " in order";
   if (!all.empty()) std::cout << ", " << all.size() << (all.size() == 1 ? " mistake" : " mistakes") << " in the others";
   std::cout << "\n";

@@ -3,37 +3,34 @@
 #include <iostream>
 
 #include "app/input.hpp"
+#include "app/text.hpp"
 #include "lesson/catalog.hpp"
 
 namespace blossom {
 namespace {
 
-void print_rows(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths;
-  for (const auto& row : rows) {
-    widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t c = 0; c + 1 < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
-  }
-  for (const auto& row : rows) {
-    std::cout << "  ";
-    for (std::size_t c = 0; c < row.size(); ++c)
-      std::cout << row[c] << (c + 1 < row.size() ? std::string(widths[c] - row[c].size() + 2, ' ') : "\n");
-  }
-}
-
 int list(const std::string& given) {
   const std::filesystem::path folder = given.empty() ? find_folder("lessons") : std::filesystem::path(given);
-  const Catalog catalog = load_catalog(folder);
+  std::error_code error;
+  const bool has_lessons = !given.empty() || std::filesystem::exists(folder, error);
+  Catalog catalog;
   std::vector<std::vector<std::string>> rows;
-  for (const auto& entry : catalog.lessons)
-    rows.push_back({entry.file.stem().string(), entry.lesson.title, std::string(entry.lesson.algorithm->id)});
-  std::cout << "Lessons in " << folder.string() << "\n";
-  print_rows(rows);
+  if (has_lessons) {
+    catalog = load_catalog(folder);
+    for (const auto& entry : catalog.lessons)
+      rows.push_back({printable(entry.file.stem().string()), printable(entry.lesson.title),
+                      std::string(entry.lesson.algorithm->id)});
+    std::cout << "Lessons in " << printable(folder.string()) << "\n" << table(rows);
+  } else {
+    std::cout << "There is no folder `lessons` here: go to one that has it, or name another with --lessons.\n";
+  }
   rows.clear();
-  std::cout << "\nAlgorithms\n";
   for (const Algorithm* a : algorithms()) rows.push_back({std::string(a->id), std::string(a->summary)});
-  print_rows(rows);
-  std::cout << "\nNext: blossom trace LESSON, blossom play LESSON, blossom render LESSON --all\n";
+  std::cout << "\nAlgorithms\n" << table(rows) << "\nNext: ";
+  if (has_lessons)
+    std::cout << "blossom trace LESSON, blossom play LESSON, blossom render LESSON --all\n";
+  else
+    std::cout << "blossom trace --algorithm ALGORITHM --inputs FILE (see blossom trace --help)\n";
   return report(catalog.diagnostics);
 }
 

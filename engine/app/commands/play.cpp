@@ -5,6 +5,7 @@
 
 #include "algorithms/selector.hpp"
 #include "app/input.hpp"
+#include "app/text.hpp"
 #include "trace/timeline.hpp"
 
 namespace blossom {
@@ -22,7 +23,8 @@ constexpr const char* keys =
 template <Scalar S>
 class Stepper {
  public:
-  Stepper(const Subject& subject, const Narrator<S>& narrator) : subject_(subject), narrator_(narrator), timeline_(narrator.trace()) {
+  Stepper(const Subject& subject, const Narrator<S>& narrator)
+      : subject_(subject), narrator_(narrator), timeline_(narrator.trace()) {
     if (!subject.lesson) return;
     std::vector<std::uint32_t> beats;
     for (const Beat& beat : subject.lesson->beats) beats.push_back(beat.step);
@@ -30,7 +32,7 @@ class Stepper {
   }
 
   void run(std::istream& in) {
-    std::cout << subject_.title() << "\n" << subject_.algorithm->summary << "\n\n" << keys << "\n";
+    std::cout << heading(subject_.title()) << wrapped(subject_.algorithm->summary) << "\n\n" << keys << "\n";
     show();
     for (std::string line; std::cout << "> " << std::flush && std::getline(in, line);) {
       std::istringstream words(line);
@@ -45,14 +47,22 @@ class Stepper {
  private:
   bool command(const std::string& word, const std::string& rest) {
     bool moved = false;
-    if (word.empty() || word == "n") moved = timeline_.forward();
-    else if (word == "b") moved = timeline_.back();
-    else if (word == "o") moved = timeline_.over();
-    else if (word == "u") moved = timeline_.out();
-    else if (word == "f") moved = timeline_.seek(0);
-    else if (word == "l") moved = timeline_.seek(timeline_.last());
-    else if (word == "]") moved = timeline_.next_mark();
-    else if (word == "[") moved = timeline_.previous_mark();
+    if (word.empty() || word == "n")
+      moved = timeline_.forward();
+    else if (word == "b")
+      moved = timeline_.back();
+    else if (word == "o")
+      moved = timeline_.over();
+    else if (word == "u")
+      moved = timeline_.out();
+    else if (word == "f")
+      moved = timeline_.seek(0);
+    else if (word == "l")
+      moved = timeline_.seek(timeline_.last());
+    else if (word == "]")
+      moved = timeline_.next_mark();
+    else if (word == "[")
+      moved = timeline_.previous_mark();
     else if (word == "g") {
       const auto step = Exact::parse(rest);
       if (!step || !step->is_integer() || *step < Exact(0) || Exact(static_cast<int>(timeline_.last())) < *step) {
@@ -61,13 +71,20 @@ class Stepper {
       }
       timeline_.seek(static_cast<std::uint32_t>(step->to_double()));
       moved = true;
-    } else if (word == "w") return why(rest), true;
-    else if (word == "t") return std::cout << narrator_.tableau(timeline_.position()), true;
-    else if (word == "c") return pseudo_code(), true;
-    else if (word == "?") return std::cout << keys, true;
-    else return false;
-    if (moved) show();
-    else std::cout << (timeline_.at_end() ? "this is the last step\n" : "there is nothing further that way\n");
+    } else if (word == "w")
+      return why(rest), true;
+    else if (word == "t")
+      return std::cout << narrator_.tableau(timeline_.position()), true;
+    else if (word == "c")
+      return pseudo_code(), true;
+    else if (word == "?")
+      return std::cout << keys, true;
+    else
+      return false;
+    if (moved)
+      show();
+    else
+      std::cout << (timeline_.at_end() ? "this is the last step\n" : "there is nothing further that way\n");
     return true;
   }
 
@@ -78,8 +95,9 @@ class Stepper {
     for (const std::uint32_t phase : timeline_.state().phases) std::cout << "  > " << narrator_.phase_title(phase);
     std::cout << "\n";
     if (const int line = narrator_.line(step); line > 0)
-      std::cout << "    " << line << "  " << narrator_.algorithm_at(step).pseudo_code[static_cast<std::size_t>(line) - 1] << "\n";
-    std::cout << subject_.narration(narrator_, step) << "\n";
+      std::cout << "    " << line << "  "
+                << narrator_.algorithm_at(step).pseudo_code[static_cast<std::size_t>(line) - 1] << "\n";
+    std::cout << wrapped(subject_.narration(narrator_, step)) << "\n";
     if (const ValueId v = trace.main_value(step); v != absent && !trace.is_input(v)) {
       std::cout << "    " << trace.name(v) << " = " << narrator_.formula(v) << "\n";
       if (const auto polar = narrator_.polar(v); !polar.empty()) std::cout << "    blossom value " << polar << "\n";
@@ -90,7 +108,8 @@ class Stepper {
     const Algorithm& algorithm = narrator_.algorithm_at(timeline_.position());
     const int current = narrator_.line(timeline_.position());
     for (std::size_t i = 0; i < algorithm.pseudo_code.size(); ++i)
-      std::cout << (static_cast<int>(i) + 1 == current ? "  => " : "     ") << i + 1 << "  " << algorithm.pseudo_code[i] << "\n";
+      std::cout << (static_cast<int>(i) + 1 == current ? "  => " : "     ") << i + 1 << "  " << algorithm.pseudo_code[i]
+                << "\n";
   }
 
   // A value, its operands, theirs, and so on; each value once.
@@ -108,7 +127,8 @@ class Stepper {
     while (!open.empty()) {
       const auto [v, depth] = open.back();
       open.pop_back();
-      std::cout << std::string(2 * static_cast<std::size_t>(depth) + 2, ' ') << trace.name(v) << " = " << narrator_.value_text(v);
+      std::cout << std::string(2 * static_cast<std::size_t>(depth) + 2, ' ') << trace.name(v) << " = "
+                << narrator_.value_text(v);
       if (trace.is_input(v)) {
         std::cout << "   (given)\n";
       } else if (told[v]) {
@@ -130,7 +150,7 @@ class Stepper {
 
 template <Scalar S>
 int play(const Subject& subject) {
-  const auto recorded = record<S>(*subject.algorithm, subject.inputs);
+  const auto recorded = record<S>(subject);
   if (!recorded) return report(recorded.diagnostics);
   const Narrator<S> narrator(*recorded, 6);
   Stepper<S>(subject, narrator).run(std::cin);
@@ -144,11 +164,13 @@ void set_up(CLI::App& app, int& status) {
   };
   auto options = std::make_shared<Options>();
   add_subject_options(app, options->subject);
-  app.add_flag("--decimals", options->decimals, "Compute in decimals (double precision); by default in exact fractions");
+  app.add_flag("--decimals", options->decimals,
+               "Compute in decimals (double precision); by default in exact fractions");
   app.footer(std::string("Keys, each followed by Enter:\n") + keys + "Example:\n  blossom play 01-de-casteljau");
   app.callback([options, &status] {
     const auto subject = load_subject(options->subject);
-    status = !subject ? report(subject.diagnostics) : (options->decimals ? play<double>(*subject) : play<Exact>(*subject));
+    status =
+        !subject ? report(subject.diagnostics) : (options->decimals ? play<double>(*subject) : play<Exact>(*subject));
   });
 }
 

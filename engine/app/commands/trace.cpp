@@ -4,6 +4,7 @@
 
 #include "algorithms/trace_json.hpp"
 #include "app/input.hpp"
+#include "app/text.hpp"
 
 namespace blossom {
 namespace {
@@ -14,34 +15,11 @@ struct Options {
   std::string format = "text";
 };
 
-std::string heading(const std::string& text) { return text + "\n" + std::string(text.size(), '=') + "\n\n"; }
-
-// A paragraph broken at blanks; lines after the first are indented. A word longer than a line has a line of its own.
-std::string wrapped(const std::string& text, std::size_t indent) {
-  constexpr std::size_t width = 110;
-  std::string out;
-  std::size_t column = indent;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    if (column > indent && column + 1 + (end - at) > width) {
-      out += "\n" + std::string(indent, ' ');
-      column = indent;
-    } else if (at > 0) {
-      out += " ";
-      ++column;
-    }
-    out += text.substr(at, end - at);
-    column += end - at;
-    at = end + 1;
-  }
-  return out;
-}
-
 template <Scalar S>
 std::string as_text(const Narrator<S>& narrator, const Subject& subject) {
   const auto& trace = narrator.trace();
   std::string text = heading(subject.title());
-  text += std::string(subject.algorithm->summary) + "\n\n";
+  text += wrapped(subject.algorithm->summary) + "\n\n";
   for (std::size_t line = 0; line < subject.algorithm->pseudo_code.size(); ++line)
     text += "  " + std::to_string(line + 1) + "  " + std::string(subject.algorithm->pseudo_code[line]) + "\n";
   text += "\n";
@@ -50,25 +28,28 @@ std::string as_text(const Narrator<S>& narrator, const Subject& subject) {
     const std::string number = std::to_string(step);
     const auto depth = trace.phase_path(trace.step(step).phase).size();
     const int line = narrator.line(step);
-    const std::string head = std::string(last.size() - number.size(), ' ') + number + "  " + std::string(2 * depth, ' ') +
-                             (line > 0 ? "[" + std::to_string(line) + "] " : "");
+    const std::string head = std::string(last.size() - number.size(), ' ') + number + "  " +
+                             std::string(2 * depth, ' ') + (line > 0 ? "[" + std::to_string(line) + "] " : "");
     text += head + wrapped(subject.narration(narrator, step), head.size()) + "\n";
   }
   if (const auto tableau = narrator.tableau(trace.step_count() - 1); !tableau.empty())
     text += "\nThe triangular scheme:\n\n" + tableau;
   const auto approximate = trace.approximate_values();
   if (!approximate.empty()) {
-    text += "\nExact up to step " + std::to_string(trace.value(approximate.front()).step) + ". " +
-            std::to_string(approximate.size()) + " values are irrational, or come of irrational ones, and are shown in decimals: ";
-    for (std::size_t i = 0; i < approximate.size() && i < 8; ++i) text += (i > 0 ? ", " : "") + trace.name(approximate[i]);
-    text += approximate.size() > 8 ? ", ... (all are marked in --format json).\n" : ".\n";
+    std::string note = "Exact up to step " + std::to_string(trace.value(approximate.front()).step) + ". " +
+                       std::to_string(approximate.size()) +
+                       " values are irrational, or come of irrational ones, and are shown in decimals: ";
+    for (std::size_t i = 0; i < approximate.size() && i < 8; ++i)
+      note += (i > 0 ? ", " : "") + trace.name(approximate[i]);
+    note += approximate.size() > 8 ? ", ... (all are marked in --format json)." : ".";
+    text += "\n" + wrapped(note) + "\n";
   }
   return text;
 }
 
 template <Scalar S>
 int run(const Subject& subject, const Options& options) {
-  const auto recorded = record<S>(*subject.algorithm, subject.inputs);
+  const auto recorded = record<S>(subject);
   if (!recorded) return report(recorded.diagnostics);
   const Narrator<S> narrator(*recorded);
   std::cout << (options.format == "json" ? write_trace(narrator) : as_text(narrator, subject));
@@ -79,7 +60,9 @@ void set_up(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
   add_subject_options(app, options->subject);
   app.add_flag("--exact", options->exact, "Compute in exact rational numbers: 1/3 instead of 0.333...");
-  app.add_option("--format", options->format, "text or json")->check(CLI::IsMember({"text", "json"}))->capture_default_str();
+  app.add_option("--format", options->format, "text or json")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
   app.footer(
       "Examples:\n"
       "  blossom trace 01-de-casteljau --exact\n"

@@ -31,6 +31,9 @@ struct Options {
 
 constexpr std::uint32_t most_on_sheet = 24;
 
+constexpr double most_pixels = 64e6;
+constexpr int longest_side = 16384;
+
 bool parse_size(const std::string& text, double& width, double& height) {
   const auto x = text.find('x');
   if (x == std::string::npos) return false;
@@ -38,10 +41,20 @@ bool parse_size(const std::string& text, double& width, double& height) {
   const char* end = text.data() + text.size();
   const auto first = std::from_chars(text.data(), text.data() + x, w);
   const auto second = std::from_chars(text.data() + x + 1, end, h);
-  if (first.ec != std::errc() || first.ptr != text.data() + x || second.ec != std::errc() || second.ptr != end) return false;
-  width = w;
-  height = h;
-  return w >= 480 && h >= 360 && w <= 8192 && h <= 8192;
+  if (first.ec != std::errc() || first.ptr != text.data() + x || second.ec != std::errc() || second.ptr != end)
+    return false;
+  const bool fits = w >= 480 && h >= 360 && w <= longest_side && h <= longest_side;
+  if (fits) {
+    width = w;
+    height = h;
+  }
+  return fits;
+}
+
+// CLI::Range lets through what is no number.
+std::string check_scale(const std::string& text) {
+  const auto scale = parse_number<double>(text);
+  return scale && 0.25 <= *scale && *scale <= 8 ? "" : "must be a number from 0.25 to 8, not " + excerpt(text);
 }
 
 // One line that is written over, on a terminal only.
@@ -58,7 +71,7 @@ std::string file_name(const std::string& stem, std::uint32_t step, std::uint32_t
 
 template <Scalar S>
 int draw(const Subject& subject, const Options& options, PageOptions page, const Theme& theme) {
-  const auto recorded = record<S>(*subject.algorithm, subject.inputs);
+  const auto recorded = record<S>(subject);
   if (!recorded) return report(recorded.diagnostics);
   const Narrator<S> narrator(*recorded, 6);
   const StepSource source = make_source(narrator);
@@ -69,7 +82,8 @@ int draw(const Subject& subject, const Options& options, PageOptions page, const
   std::vector<std::uint32_t> steps;
   if (options.step >= 0) {
     if (static_cast<std::uint32_t>(options.step) > last)
-      return report({{"", 0, 0, "--step", "must be from 0 to " + std::to_string(last) + ", not " + std::to_string(options.step)}});
+      return report({{"", 0, 0, "--step",
+                      "must be from 0 to " + std::to_string(last) + ", not " + std::to_string(options.step)}});
     steps.push_back(static_cast<std::uint32_t>(options.step));
   } else if (options.all || !options.contact_sheet.empty()) {
     for (std::uint32_t step = 0; step <= last; ++step) steps.push_back(step);
@@ -112,7 +126,8 @@ int draw(const Subject& subject, const Options& options, PageOptions page, const
         return machine_at_fault;
       }
       if (each && !options.svg)
-        saved = write_png(fs::path(options.out) / file_name(stem, step, last, ".png"), *image, title, scene.description);
+        saved =
+            write_png(fs::path(options.out) / file_name(stem, step, last, ".png"), *image, title, scene.description);
       if (!options.contact_sheet.empty() && std::ranges::find(on_sheet, step) != on_sheet.end()) {
         images.push_back(std::move(*image));
         captions.push_back("step " + std::to_string(step));
@@ -132,14 +147,16 @@ int draw(const Subject& subject, const Options& options, PageOptions page, const
       return machine_at_fault;
     }
     const int columns = images.size() < 5 ? 2 : (images.size() < 17 ? 3 : 4);
-    const auto saved = write_png(options.contact_sheet, contact_sheet(**fonts, theme, images, captions, columns, 560), page.title + ": all steps");
+    const auto saved = write_png(options.contact_sheet, contact_sheet(**fonts, theme, images, captions, columns, 560),
+                                 page.title + ": all steps");
     if (!saved) {
       report(saved.diagnostics);
       return machine_at_fault;
     }
   }
-  if (written > 0) std::cout << written << (written == 1 ? " picture" : " pictures") << " in " << options.out << "\n";
-  if (!options.contact_sheet.empty()) std::cout << "contact sheet: " << options.contact_sheet << "\n";
+  if (written > 0)
+    std::cout << written << (written == 1 ? " picture" : " pictures") << " in " << printable(options.out) << "\n";
+  if (!options.contact_sheet.empty()) std::cout << "contact sheet: " << printable(options.contact_sheet) << "\n";
   return done;
 }
 
@@ -147,7 +164,17 @@ int run(const Options& options) {
   PageOptions page;
   Diagnostics mistakes;
   if (!parse_size(options.size, page.width, page.height))
-    mistakes.push_back({"", 0, 0, "--size", "must be WIDTHxHEIGHT from 480x360 to 8192x8192, not " + excerpt(options.size)});
+    mistakes.push_back({"", 0, 0, "--size",
+                        "must be WIDTHxHEIGHT, at least 480x360 and no side above " + std::to_string(longest_side) +
+                            ", not " + excerpt(options.size)});
+  // SVG has no pixels, but its page keeps to the same bounds.
+  const double scale = options.svg && options.contact_sheet.empty() ? 1 : options.scale;
+  const double width = page.width * scale, height = page.height * scale;
+  if (width * height > most_pixels || std::max(width, height) > longest_side)
+    mistakes.push_back({"", 0, 0, "--size",
+                        "times --scale makes " + format_short(width, 0) + "x" + format_short(height, 0) +
+                            " pixels; they must be at most 64 million, and " + std::to_string(longest_side) +
+                            " along a side"});
   const auto theme = find_theme(options.theme);
   for (const auto& mistake : theme.diagnostics) mistakes.push_back({"", 0, 0, "--theme", mistake.message});
   if (!mistakes.empty()) {
@@ -162,15 +189,18 @@ int run(const Options& options) {
 void set_up(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
   add_subject_options(app, options->subject);
-  app.add_option("--step", options->step, "Only this step (from 0; by default the last one)")->check(CLI::Range(0, 1'000'000'000));
-  app.add_flag("--all", options->all, "Every step, one file each");
+  auto* step = app.add_option("--step", options->step, "Only this step (from 0; by default the last one)")
+                   ->check(CLI::Range(0, 1'000'000'000));
+  app.add_flag("--all", options->all, "Every step, one file each")->excludes(step);
   app.add_option("--contact-sheet", options->contact_sheet, "All steps small in one PNG file");
   app.add_flag("--svg", options->svg, "SVG files instead of PNG");
   app.add_flag("--exact", options->exact, "Compute and label in exact fractions");
   app.add_option("--out", options->out, "The folder for the pictures")->capture_default_str();
-  app.add_option("--size", options->size, "Width and height of the page")->capture_default_str();
+  app.add_option("--size", options->size,
+                 "Width and height of the page, from 480x360; times --scale at most 64 million pixels")
+      ->capture_default_str();
   app.add_option("--scale", options->scale, "Pixels for each unit of the page: 2 for high-resolution screens")
-      ->check(CLI::Range(0.25, 8.0))
+      ->check(check_scale, "0.25 to 8")
       ->capture_default_str();
   app.add_option("--theme", options->theme, "light, dark or contrast")->capture_default_str();
   app.add_option("--context", options->context, "How OpenGL is reached without a display: osmesa or egl")

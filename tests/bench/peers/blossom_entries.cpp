@@ -35,9 +35,9 @@ auto shared(const Geometry& geometry) {
 }
 
 void add_evaluator_points(const CurveRow& row) {
-  add_jobs<3>(row.name, blossom_evaluator, [&u = row.u, e = shared<CurveEvaluator>(row.curve)](std::size_t i, auto& out) {
-    store(*e->point(u[i]), out);
-  });
+  add_jobs<3>(
+      row.name, blossom_evaluator,
+      [&u = row.u, e = shared<CurveEvaluator>(row.curve)](std::size_t i, auto& out) { store(*e->point(u[i]), out); });
 }
 
 void add_curves() {

@@ -229,9 +229,9 @@ void add_skinning() {
         constexpr double tolerance = 1e-12;
         GeomFill_AppSurf skin(3, 3, tolerance, tolerance, 0, true);
         skin.Perform(line, sections, true);
-        return Handle(Geom_BSplineSurface)(new Geom_BSplineSurface(
-            skin.SurfPoles(), skin.SurfWeights(), skin.SurfUKnots(), skin.SurfVKnots(), skin.SurfUMults(),
-            skin.SurfVMults(), skin.UDegree(), skin.VDegree()));
+        return Handle(Geom_BSplineSurface)(
+            new Geom_BSplineSurface(skin.SurfPoles(), skin.SurfWeights(), skin.SurfUKnots(), skin.SurfVKnots(),
+                                    skin.SurfUMults(), skin.SurfVMults(), skin.UDegree(), skin.VDegree()));
       },
       [v](const Handle(Geom_BSplineSurface) & surface) {
         std::vector<double> all;

@@ -50,11 +50,12 @@ SurfacePointer sisl_surface(const peers::Surface<double>& surface) {
 
 template <std::size_t N, class Evaluate>
 void add_curve(const CurveRow& row, const char* who, Evaluate evaluate) {
-  peers::add_jobs<N>(row.name, who, [&u = row.u, curve = sisl_curve(row.curve), span = 0, evaluate](
-                                        std::size_t i, std::array<double, N>& out) mutable {
-    int status;
-    evaluate(curve.get(), static_cast<int>(N) / dimension - 1, u[i], &span, out.data(), &status);
-  });
+  peers::add_jobs<N>(row.name, who,
+                     [&u = row.u, curve = sisl_curve(row.curve), span = 0, evaluate](
+                         std::size_t i, std::array<double, N>& out) mutable {
+                       int status;
+                       evaluate(curve.get(), static_cast<int>(N) / dimension - 1, u[i], &span, out.data(), &status);
+                     });
 }
 
 void add_curves() {
