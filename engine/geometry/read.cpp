@@ -10,12 +10,6 @@ constexpr std::size_t max_points = 65'536;
 
 std::string text(std::size_t number) { return std::to_string(number); }
 
-// A number in a message: as a fraction, or as the nearest double if that is long.
-std::string shown(const Exact& x) {
-  std::string fraction = x.to_string();
-  return fraction.size() <= 40 ? fraction : format_number(x.to_double());
-}
-
 // Control points P_first..P_last are the only ones with influence at the knot u.
 struct Influence {
   std::size_t first;
@@ -67,19 +61,19 @@ std::vector<Exact> read_knots(const Cursor& at, std::size_t p, std::size_t point
     if (!u) continue;
     multiplicity = !U.empty() && *u == U.back() ? multiplicity + 1 : 1;
     if (!U.empty() && *u < U.back()) {
-      at[i].error("knots must not decrease; " + shown(*u) + " comes after " + shown(U.back()));
+      at[i].error("knots must not decrease; " + format_brief(*u) + " comes after " + format_brief(U.back()));
     } else if (!U.empty() && *u > U.back() && u->to_double() == U.back().to_double()) {
       at[i].error("differs from the knot before by less than a double can tell; make them equal or move them apart");
     }
     if (p != 0 && multiplicity == p + 2) {
-      at[i].error("a knot may stand at most " + text(p + 1) + " times (degree + 1); " + shown(*u) +
+      at[i].error("a knot may stand at most " + text(p + 1) + " times (degree + 1); " + format_brief(*u) +
                   " stands more often");
     }
     U.push_back(*std::move(u));
   }
   if (at.errors_since(before) || U.empty()) return {};
   if (p != 0 && points > p && U[p] == U[points]) {
-    at.error("the domain from u_" + text(p) + " to u_" + text(points) + " is empty: both are " + shown(U[p]));
+    at.error("the domain from u_" + text(p) + " to u_" + text(points) + " is empty: both are " + format_brief(U[p]));
   }
   if (!std::isfinite(U.back().to_double() - U.front().to_double())) at.error("the knots reach too far apart");
   return U;
@@ -116,7 +110,7 @@ class PointReader {
 void read_weight(const Cursor& at, HPoint<Exact>& P) {
   const auto w = at.number();
   if (!w) return;
-  if (*w < Exact(0)) at.error("a weight must not be negative, not " + shown(*w));
+  if (*w < Exact(0)) at.error("a weight must not be negative, not " + format_brief(*w));
   if (*w > Exact(0) && w->to_double() == 0) at.error("too small for a weight; it must be 0 or at least 5e-324");
   P = {*w * P.x, *w * P.y, *w * P.z, *w};
   if (!std::isfinite(P.x.to_double() + P.y.to_double() + P.z.to_double())) {
@@ -138,7 +132,7 @@ void read_curve_weights(const Cursor& at, Curve<Exact>& curve, bool knots_are_ri
   }
   for (const auto& [first, last, u] : influences(static_cast<std::size_t>(curve.degree), curve.knots)) {
     if (zeros[last] <= last - first) continue;
-    const std::string where = no_other_point("u = " + shown(u));
+    const std::string where = no_other_point("u = " + format_brief(u));
     at[first].error(first == last
                         ? "must be positive" + where
                         : "the weights " + text(first) + " to " + text(last) + " must not all be zero" + where);
@@ -170,7 +164,7 @@ void read_surface_weights(const Cursor& at, Surface<Exact>& surface, bool knots_
       const int count =
           positive(last_i + 1, last_j + 1) - positive(i, last_j + 1) - positive(last_i + 1, j) + positive(i, j);
       if (count > 0) continue;
-      const std::string where = no_other_point("(u, v) = (" + shown(u) + ", " + shown(v) + ")");
+      const std::string where = no_other_point("(u, v) = (" + format_brief(u) + ", " + format_brief(v) + ")");
       const bool one = i == last_i && j == last_j;
       at[i][j].error(one ? "must be positive" + where
                          : "the weights [" + text(i) + "][" + text(j) + "] to [" + text(last_i) + "][" + text(last_j) +

@@ -55,7 +55,7 @@ struct Ratio {
 // The span of an evaluation (NB A2.1): k in [p, n] with u_k <= u < u_{k+1}; at the end of the domain the last one.
 struct FindSpan {
   static constexpr std::string_view name = "span";
-  static constexpr std::string_view formula = "the k with u_k <= {1} < u_(k+1) in {2}";
+  static constexpr std::string_view formula = "the index k of the span of {2} that holds {1}";
   static constexpr Polar polar = Polar::none;
   template <Scalar S>
   static int apply(int p, const S& u, std::span<const S> U) {
@@ -71,7 +71,7 @@ struct FindSpan {
 // The span of an insertion: the last k with u_k <= u.
 struct LastKnot {
   static constexpr std::string_view name = "last_knot";
-  static constexpr std::string_view formula = "the k with u_k <= {0} < u_(k+1) in {1}";
+  static constexpr std::string_view formula = "the last k with u_k <= {0} in {1}";
   static constexpr Polar polar = Polar::none;
   template <Scalar S>
   static int apply(const S& u, std::span<const S> U) {

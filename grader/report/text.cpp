@@ -9,23 +9,14 @@
 namespace blossom {
 namespace {
 
-// Names and answers come from outside: control characters would be obeyed by a terminal.
-std::string printable(std::string_view text) { return to_string(Diagnostic{"", 0, 0, "", std::string(text)}); }
-
-std::size_t width(std::string_view text) {
-  std::size_t characters = 0;
-  for (std::size_t i = 0; i < text.size(); i += std::max<std::size_t>(utf8_length(text, i), 1)) ++characters;
-  return characters;
-}
-
 std::string pad(std::string text, std::size_t to) {
-  const std::size_t has = width(text);
+  const std::size_t has = utf8_count(text);
   if (has < to) text.append(to - has, ' ');
   return text;
 }
 
 std::string pad_left(const std::string& text, std::size_t to) {
-  const std::size_t has = width(text);
+  const std::size_t has = utf8_count(text);
   return has < to ? std::string(to - has, ' ') + text : text;
 }
 
@@ -59,9 +50,9 @@ class TextReport final : public Report {
     if (!several_) return;
     std::size_t names = std::string_view("name").size(), scores = 5, points = 6;
     for (const Row& row : rows_) {
-      names = std::max(names, width(row.name));
-      scores = std::max(scores, width(row.score));
-      points = std::max(points, width(row.points));
+      names = std::max(names, utf8_count(row.name));
+      scores = std::max(scores, utf8_count(row.score));
+      points = std::max(points, utf8_count(row.points));
     }
     out += pad("name", names) + "  " + pad_left("score", scores) + "  " + pad_left("points", points);
     const bool with_verdicts = exercise_->feedback != Feedback::none;
