@@ -257,7 +257,7 @@ std::string write_input(const InputValue<S>& value) {
         using T = std::decay_t<decltype(x)>;
         if constexpr (std::is_same_v<T, S>) {
           if constexpr (std::is_same_v<S, Exact>)
-            return x.is_integer() ? x.to_string() : json_quote(x.to_string());
+            return json_quote(x.to_string());
           else
             return format_number(x);
         } else if constexpr (std::is_same_v<T, int>) {

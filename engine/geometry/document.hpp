@@ -23,7 +23,7 @@ std::optional<Curve<Exact>> read_curve(const Cursor&);
 std::optional<Surface<Exact>> read_surface(const Cursor&);
 
 // The JSON text of a curve or surface, on one line: affine points, with weights if it is rational, without knots if it
-// is a Bezier one. Numbers of an exact one are strings where they are no integers. A point of weight 0 is written with
+// is a Bezier one. Numbers of an exact one are strings. A point of weight 0 is written with
 // its homogeneous coordinates, which are 0 when it was read from a file. Reading the text gives the same value (of
 // doubles, up to the rounding of w x / w).
 template <Scalar S>

@@ -4,7 +4,7 @@ namespace blossom {
 namespace {
 
 std::string json_number(double x) { return format_number(x); }
-std::string json_number(const Exact& x) { return x.is_integer() ? x.to_string() : "\"" + x.to_string() + "\""; }
+std::string json_number(const Exact& x) { return "\"" + x.to_string() + "\""; }
 
 // "[a, b, c]" of what `item(i)` says for i = 0..count-1.
 template <class Item>

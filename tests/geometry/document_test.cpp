@@ -396,11 +396,12 @@ TEST_CASE("a surface is written as text that reads back as the same surface") {
   }
 }
 
-TEST_CASE("exact numbers are written as integers or as strings") {
+TEST_CASE("exact numbers are written as strings") {
   CHECK(
       write_curve(curve_of(
           R"({"degree": 1, "knots": [0,0,0.5,2,2], "points": [[1,0],["1/3",-2],[1e2,0]], "weights": [1,"0.5",0.1]})")) ==
-      R"({"degree": 1, "knots": [0, 0, "1/2", 2, 2], "points": [[1, 0], ["1/3", -2], [100, 0]], "weights": [1, "1/2", "1/10"]})");
+      R"({"degree": 1, "knots": ["0", "0", "1/2", "2", "2"], "points": [["1", "0"], ["1/3", "-2"], ["100", "0"]], )"
+      R"("weights": ["1", "1/2", "1/10"]})");
   CHECK(write_curve(convert<double>(curve_of(R"({"degree": 1, "points": [[0.1,0],["1/4",-2]]})"))) ==
         R"({"degree": 1, "points": [[0.1, 0], [0.25, -2]]})");
 }
@@ -408,5 +409,5 @@ TEST_CASE("exact numbers are written as integers or as strings") {
 TEST_CASE("what came of a Bezier curve and has other knots is written with them") {
   auto curve = curve_of(R"({"degree": 1, "points": [[0,0],[1,1]]})");
   curve.knots = {0, 0, 2, 2};
-  CHECK(write_curve(curve) == R"({"degree": 1, "knots": [0, 0, 2, 2], "points": [[0, 0], [1, 1]]})");
+  CHECK(write_curve(curve) == R"({"degree": 1, "knots": ["0", "0", "2", "2"], "points": [["0", "0"], ["1", "1"]]})");
 }
