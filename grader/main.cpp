@@ -18,7 +18,7 @@ constexpr const char* manual = R"(Examples:
       A block for each student, and a table of scores.
   blossom-grade exercises/05-de-boor.json answers/*.json --format json > grades.jsonl
       One JSON object per submission and line, in the order of the files.
-  curl -s https://example.org/answer/17 | blossom-grade exercises/05-de-boor.json - --format json
+  cat answers.json | blossom-grade exercises/05-de-boor.json - --format json
       One submission from standard input.
 
 An answers file:

@@ -1,9 +1,8 @@
 // Recording costs nothing where nobody records: de Boor's algorithm through the kernel's template with NoRecorder, and
 // the same loop written by hand, as two functions whose instructions callgrind counts:
 //
-//   g++ -std=c++20 -O3 -DNDEBUG -ffp-contract=off -DGLM_FORCE_XYZW_ONLY -Iengine tests/bench/callgrind/de_boor.cpp -o
-//   de_boor
-//       (and the libraries of base, for the numbers' text)
+//   g++ -std=c++20 -O3 -DNDEBUG -ffp-contract=off -DGLM_FORCE_XYZW_ONLY -Iengine -o de_boor
+//     tests/bench/callgrind/de_boor.cpp engine/base/exact.cpp engine/base/scalar.cpp
 //   valgrind --tool=callgrind --callgrind-out-file=out ./de_boor
 //   callgrind_annotate --inclusive=yes out | grep point_by
 
