@@ -14,33 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "scratch.hpp"
+
 namespace blossom::test {
 namespace fs = std::filesystem;
-
-// A folder of its own for each use, removed afterwards.
-class Scratch {
- public:
-  Scratch() {
-    std::string pattern = (fs::temp_directory_path() / "blossom-test-XXXXXX").string();
-    REQUIRE(mkdtemp(pattern.data()) != nullptr);
-    path_ = pattern;
-  }
-  ~Scratch() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  Scratch(const Scratch&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::string path() const { return path_.string(); }
-  std::string write(const std::string& name, const std::string& content) const {
-    std::ofstream(path_ / name, std::ios::binary) << content;
-    return *this / name;
-  }
-
- private:
-  fs::path path_;
-};
 
 inline std::string read_all(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);

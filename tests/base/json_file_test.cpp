@@ -2,37 +2,18 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "base/json.hpp"
+#include "scratch.hpp"
 
 using namespace blossom;
+using blossom::test::Scratch;
 namespace fs = std::filesystem;
 
 namespace {
-
-// An own folder for one test, removed after it.
-class Folder {
- public:
-  Folder() {
-    std::string pattern = (fs::temp_directory_path() / "blossom-test-XXXXXX").string();
-    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
-    path_ = pattern;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path_); }
-  fs::path operator/(const char* name) const { return path_ / name; }
-  std::size_t count() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
-  }
-
- private:
-  fs::path path_;
-};
 
 void put(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
@@ -53,17 +34,17 @@ std::string refused(const fs::path& path, const JsonLimits& limits = {}) {
 }  // namespace
 
 TEST_CASE("a file is read, under its name") {
-  const Folder folder;
+  const Scratch folder;
   put(folder / "a.json", "[1, 2]");
   const auto document = JsonDocument::load(folder / "a.json");
   REQUIRE(document);
   CHECK(document->root().items.size() == 2);
-  CHECK(document->name() == (folder / "a.json").string());
+  CHECK(document->name() == folder / "a.json");
   CHECK(document->text() == "[1, 2]");
 }
 
 TEST_CASE("hostile: what is no readable file is said, and never waited for") {
-  const Folder folder;
+  const Scratch folder;
   CHECK(refused(folder / "none.json") == "cannot be read: No such file or directory");
   CHECK(refused(folder / "") == "must be a file, not a folder");
   CHECK(refused("/dev/zero") == "must be a file, not a device; use - for standard input");
@@ -76,7 +57,7 @@ TEST_CASE("hostile: what is no readable file is said, and never waited for") {
 }
 
 TEST_CASE("hostile: a file is not read beyond the limit") {
-  const Folder folder;
+  const Scratch folder;
   put(folder / "exact.json", "[" + std::string(98, ' ') + "]");
   CHECK(JsonDocument::load(folder / "exact.json", {100, 32, 10}));
   put(folder / "more.json", "[" + std::string(99, ' ') + "]");
@@ -87,7 +68,7 @@ TEST_CASE("hostile: a file is not read beyond the limit") {
 }
 
 TEST_CASE("a file is written whole, keeps its permissions, and leaves nothing beside it") {
-  const Folder folder;
+  const Scratch folder;
   CHECK(write_file(folder / "new.txt", "one"));
   CHECK(get(folder / "new.txt") == "one");
   const mode_t mask = ::umask(0);
@@ -111,7 +92,7 @@ TEST_CASE("a file is written whole, keeps its permissions, and leaves nothing be
 }
 
 TEST_CASE("what cannot be written says why, and leaves nothing behind") {
-  const Folder folder;
+  const Scratch folder;
   const auto refused_writing = [](const fs::path& path) {
     const auto result = write_file(path, "x");
     REQUIRE_FALSE(result);

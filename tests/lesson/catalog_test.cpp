@@ -1,29 +1,15 @@
 #include "lesson/catalog.hpp"
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
-#include <fstream>
+#include <filesystem>
+
+#include "scratch.hpp"
 
 using namespace blossom;
+using blossom::test::Scratch;
 namespace fs = std::filesystem;
 
 namespace {
-
-// A folder that is gone when the test is over.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "blossom-catalog-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path = name;
-  }
-  ~Folder() { fs::remove_all(path); }
-  Folder(const Folder&) = delete;
-
-  void write(const std::string& file, const std::string& text) const { std::ofstream(path / file) << text; }
-  fs::path path;
-};
 
 std::string lesson(const std::string& id) {
   return R"({"schema": "blossom.lesson/1", "id": ")" + id + R"(", "title": "T", "algorithm": "de_casteljau",
@@ -33,32 +19,32 @@ std::string lesson(const std::string& id) {
 }  // namespace
 
 TEST_CASE("a catalog has the lessons of a folder in the order of their file names") {
-  const Folder folder;
+  const Scratch folder;
   folder.write("10-c.json", lesson("c"));
   folder.write("02-b.json", lesson("b"));
   folder.write("01-a.json", lesson("a"));
   folder.write("notes.txt", "no lesson");
   folder.write("lesson.schema.json", "{}");
   folder.write("curve.json", R"({"degree": 1, "points": [[0, 0], [1, 1]]})");
-  fs::create_directory(folder.path / "more");
-  const auto catalog = load_catalog(folder.path);
+  fs::create_directory(folder / "more");
+  const auto catalog = load_catalog(folder.path());
   CHECK(to_string(catalog.diagnostics).empty());
   std::vector<std::string> found;
   for (const auto& entry : catalog.lessons) found.push_back(entry.file.filename().string() + " " + entry.lesson.id);
   CHECK(found == std::vector<std::string>{"01-a.json a", "02-b.json b", "10-c.json c"});
   REQUIRE(catalog.find("b") != nullptr);
-  CHECK(catalog.find("b")->file == folder.path / "02-b.json");
+  CHECK(catalog.find("b")->file == folder / "02-b.json");
   CHECK(catalog.find("d") == nullptr);
 }
 
 TEST_CASE("broken lessons are named, and the others are there all the same") {
-  const Folder folder;
+  const Scratch folder;
   folder.write("1.json", lesson("a"));
   folder.write("2.json", lesson("a"));
   folder.write("3.json", "{\"beats\": [");
   folder.write("4.json", "{}");
   folder.write("5.json", lesson("b"));
-  const auto catalog = load_catalog(folder.path);
+  const auto catalog = load_catalog(folder.path());
   REQUIRE(catalog.lessons.size() == 2);
   CHECK(catalog.lessons[1].lesson.id == "b");
   std::vector<std::string> files;
@@ -67,8 +53,8 @@ TEST_CASE("broken lessons are named, and the others are there all the same") {
     if (files.empty() || files.back() != file) files.push_back(file);
   }
   CHECK(files == std::vector<std::string>{"2.json", "3.json", "4.json"});
-  CHECK(to_string(catalog.diagnostics[0]) == (folder.path / "2.json").string() + ":1:38: id: \"a\" is the id of " +
-                                                 (folder.path / "1.json").string() + " already");
+  CHECK(to_string(catalog.diagnostics[0]) ==
+        (folder / "2.json") + ":1:38: id: \"a\" is the id of " + (folder / "1.json") + " already");
 }
 
 TEST_CASE("a folder that is not there") {
