@@ -47,13 +47,13 @@ const Algorithm& de_boor() {
         {"u", InputSpec::Type::number, "The parameter, in the domain [u_p, u_{n+1}]."},
     };
     a.pseudo_code = {
-        "find k with u_k <= u < u_{k+1}",
+        "find k with u_k <= u < u_{k+1} (at the end: the last)",
         "s = multiplicity of u",
         "for r = 1 to p-s",
         "  for i = k-p+r to k-s",
         "    a = alpha[r][i] = (u - u_i) / (u_{i+p-r+1} - u_i)",
         "    P[r][i] = (1-a) P[r-1][i-1] + a P[r-1][i]",
-        "C = P[p-s][k-s]",
+        "C = P[p-s][k-s] (at an end: its control point)",
     };
     a.given_narration = "A B-spline curve of degree p = {p} with the knots U = {U}, and the parameter u = {u}.";
     a.values = {
@@ -65,7 +65,8 @@ const Algorithm& de_boor() {
          {},
          "the span of u",
          1,
-         "u = {u} lies in the span [u_{k}, u_{k+1}) = [{U[k]}, {U[k+1]}), so k = {k}: only the control points from "
+         "u = {u} belongs to the span from u_{k} = {U[k]} to u_{k+1} = {U[k+1]}, so k = {k}: only the control points "
+         "from "
          "index {k-p} "
          "to {k} count."},
         {"s",
