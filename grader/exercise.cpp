@@ -92,7 +92,7 @@ class ExerciseReader {
 
   void read() {
     if (!root_.expect_object({"$schema", "schema", "id", "title", "prompt", "algorithm", "inputs", "ask", "tolerance",
-                              "carried", "partial", "feedback", "source", "unit"}))
+                              "carried", "partial", "feedback", "source", "unit", "marking"}))
       return;
     expect_schema(root_, "blossom.exercise/1");
     if (const auto at = root_.required("id")) exercise.id = read_id(*at).value_or("");
@@ -117,6 +117,7 @@ class ExerciseReader {
                                                 {"full", Feedback::full}});
       if (level) exercise.feedback = *level;
     }
+    if (const auto at = root_.optional("marking")) exercise.marking = read_marking(*at).value_or(exercise.marking);
     const bool ran = run();
     const auto ask = root_.required("ask");
     if (!ask || !ask->expect_array(1, most_parts)) return;

@@ -4,7 +4,7 @@
 //   {"schema": "blossom.exercise/1", "id", "title", "prompt", "algorithm", "inputs",
 //    "ask": [{"value": selector, "points": n, "form"?, "as"?, "tolerance"?, "feedback"?: text}, ...],
 //    "tolerance"?, "carried"?: 0..1, "partial"?: {"misconception"?: 0..1, "slip"?: 0..1}, "feedback"?, "source"?,
-//    "unit"?}
+//    "unit"?, "marking"?: "at-once" | "at-end"}
 //
 // `points` are for each value the selector selects; of its values those that are given are left out.
 // exercises/exercise.schema.json describes every key.
@@ -17,6 +17,7 @@
 
 #include "algorithms/run.hpp"
 #include "grader/compare.hpp"
+#include "lesson/document.hpp"
 
 namespace blossom {
 
@@ -83,6 +84,7 @@ struct Exercise {
   Exact misconception = 0;  // likewise
   Exact slip = 0;
   Feedback feedback = Feedback::full;
+  Marking marking = Marking::at_end;  // in the player; files that are handed in are marked as a whole
   Run<Exact> run;
   std::vector<Part> parts;
   Exact max_points = 0;

@@ -11,6 +11,8 @@ namespace {
 
 inline constexpr std::size_t max_profiles = 256;
 
+}  // namespace
+
 std::optional<InputValue<Exact>> read_input(const InputSpec& spec, const Cursor& at) {
   switch (spec.type) {
     case InputSpec::Type::number:
@@ -52,8 +54,6 @@ std::optional<InputValue<Exact>> read_input(const InputSpec& spec, const Cursor&
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 std::optional<Inputs<Exact>> read_inputs(const Algorithm& algorithm, const Cursor& at) {
   std::vector<std::string> known;

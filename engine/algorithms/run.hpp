@@ -8,6 +8,9 @@ namespace blossom {
 // Reads the object of inputs at the cursor as this algorithm's. Nothing, with every mistake, if any is wrong.
 std::optional<Inputs<Exact>> read_inputs(const Algorithm&, const Cursor&);
 
+// Reads one of them.
+std::optional<InputValue<Exact>> read_input(const InputSpec&, const Cursor&);
+
 // A run that was recorded.
 template <Scalar S>
 struct Run {

@@ -26,9 +26,6 @@ fs::path find_folder(const std::string& name) {
   return name;
 }
 
-namespace {
-
-// "5", "05", "05-de-boor" and "de-boor" all find lessons/05-de-boor.json.
 Checked<fs::path> find_lesson(const std::string& given) {
   std::error_code error;
   if (fs::exists(given, error) || given == "-") return fs::path(given);
@@ -54,8 +51,6 @@ Checked<fs::path> find_lesson(const std::string& given) {
   }
   return Diagnostics{{given, 0, 0, "", message}};
 }
-
-}  // namespace
 
 Checked<Subject> load_subject(const SubjectOptions& options) {
   Subject subject;

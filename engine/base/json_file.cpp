@@ -88,7 +88,7 @@ Checked<JsonDocument> JsonDocument::load(const std::filesystem::path& path, cons
   return parse(name, std::move(text), limits);
 }
 
-Checked<bool> write_file(const std::filesystem::path& path, std::string_view content) {
+Checked<bool> write_file(const std::filesystem::path& path, std::string_view content, unsigned mode) {
   // Through a symbolic link the file it points to is replaced, not the link.
   std::error_code unresolved;
   const std::filesystem::path resolved = std::filesystem::canonical(path, unresolved);
@@ -102,9 +102,8 @@ Checked<bool> write_file(const std::filesystem::path& path, std::string_view con
   static std::atomic<unsigned> count{0};
   const std::string name = ".blossom-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp";
   const std::filesystem::path temporary = target.parent_path() / name;
-  Descriptor fd(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  Descriptor fd(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
   if (fd < 0) return failed(errno);
-  // A file that is replaced keeps its permissions; a new one has what the umask leaves.
   const bool written = write_all(fd, content) && (!exists || ::fchmod(fd, status.st_mode & 07777) == 0) && fd.close() &&
                        ::rename(temporary.c_str(), target.c_str()) == 0;
   if (written) return true;

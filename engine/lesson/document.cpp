@@ -35,21 +35,33 @@ std::optional<std::string> read_id(const Cursor& at) {
   return std::nullopt;
 }
 
+std::optional<Marking> read_marking(const Cursor& at) {
+  const auto text = at.string();
+  if (!text) return std::nullopt;
+  for (const Marking marking : {Marking::at_once, Marking::at_end})
+    if (*text == marking_name(marking)) return marking;
+  at.error(R"(must be "at-once" or "at-end", not )" + excerpt(*text));
+  return std::nullopt;
+}
+
+std::string_view marking_name(Marking marking) { return marking == Marking::at_once ? "at-once" : "at-end"; }
+
+std::string no_such_algorithm(std::string_view id) {
+  const auto ids = algorithm_ids();
+  std::string message = "there is no algorithm " + excerpt(id);
+  if (const auto near = did_you_mean(id, ids)) return message + "; did you mean " + excerpt(*near) + "?";
+  message += "; the algorithms are";
+  for (std::size_t i = 0; i < ids.size(); ++i) message += (i == 0 ? " " : ", ") + ids[i];
+  return message;
+}
+
 const Algorithm* read_algorithm(const Cursor& root) {
   const auto at = root.required("algorithm");
   if (!at) return nullptr;
   const auto id = at->string();
   if (!id) return nullptr;
   if (const Algorithm* algorithm = find_algorithm(*id)) return algorithm;
-  const auto ids = algorithm_ids();
-  std::string message = "there is no algorithm " + excerpt(*id);
-  if (const auto near = did_you_mean(*id, ids)) {
-    message += "; did you mean " + excerpt(*near) + "?";
-  } else {
-    message += "; the algorithms are";
-    for (std::size_t i = 0; i < ids.size(); ++i) message += (i == 0 ? " " : ", ") + ids[i];
-  }
-  at->error(message);
+  at->error(no_such_algorithm(*id));
   return nullptr;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "algorithms/selector.hpp"
-#include "lesson/document.hpp"
 
 namespace blossom {
 
@@ -13,6 +12,28 @@ const Beat* Lesson::beat_at(std::uint32_t step) const {
   return found != beats.end() && found->step == step ? &*found : nullptr;
 }
 
+std::vector<Beat> resolve_beats(const Lesson& lesson, const TraceGraph& trace) {
+  std::vector<Beat> beats;
+  for (const Beat& beat : lesson.beats) {
+    const auto step = step_of(beat.at, trace);
+    if (!step) continue;
+    beats.push_back(beat);
+    beats.back().step = *step;
+  }
+  std::stable_sort(beats.begin(), beats.end(), [](const Beat& a, const Beat& b) { return a.step < b.step; });
+  const auto same_step = [](const Beat& a, const Beat& b) { return a.step == b.step; };
+  beats.erase(std::unique(beats.begin(), beats.end(), same_step), beats.end());
+  for (Beat& beat : beats) beat.highlights = selected_up_to(beat.selectors, beat.step, trace);
+  return beats;
+}
+
+std::optional<std::size_t> open_brace(std::string_view say) {
+  for (std::size_t i = say.find('{'); i != std::string_view::npos; i = say.find('{', i + 1))
+    if (const std::size_t end = say.find_first_of("{}", i + 1); end == std::string_view::npos || say[end] == '{')
+      return i;
+  return std::nullopt;
+}
+
 namespace {
 
 // The run that beats are resolved against; neither while the inputs are wrong, and then only their form is checked.
@@ -20,10 +41,6 @@ struct Script {
   const Run<Exact>* run = nullptr;
   const Narrator<Exact>* narrator = nullptr;
 };
-
-std::string meant(const std::optional<std::string>& near) {
-  return near ? "; did you mean " + excerpt(*near) + "?" : std::string();
-}
 
 std::optional<std::vector<ValueId>> read_selection(const Cursor& at, const Script& script) {
   const auto text = at.string();
@@ -37,99 +54,50 @@ std::optional<std::vector<ValueId>> read_selection(const Cursor& at, const Scrip
   if (script.run == nullptr) return std::nullopt;
   auto values = selector->select(script.run->trace);
   if (values.empty()) {
-    at.error("no value of this run is called " + excerpt(*text) + meant(nearest_name(script.run->trace, *text)));
+    at.error(why_nowhere({Place::Kind::value, 0, *text}, script.run->trace));
     return std::nullopt;
   }
   return values;
 }
 
-// "raise[1].decompose" names the innermost phases of a path: whole labels, from the right.
-bool ends_with_labels(const std::string& path, const std::string& labels) {
-  return path == labels ||
-         (path.size() > labels.size() && path.ends_with(labels) && path[path.size() - labels.size() - 1] == '.');
-}
-
-std::optional<std::uint32_t> read_phase(const Cursor& at, const Script& script) {
-  const auto label = at.string();
-  if (!label || script.run == nullptr) return std::nullopt;
-  const TraceGraph& trace = script.run->trace;
-  std::vector<std::string> labels;
-  for (std::uint32_t phase = 0; phase < trace.phases().size(); ++phase) {
-    std::string path;
-    for (const std::uint32_t outer : trace.phase_path(phase))
-      path += (path.empty() ? "" : ".") + trace.phases()[outer].label();
-    if (ends_with_labels(path, *label)) return trace.phases()[phase].first_step;
-    labels.push_back(trace.phases()[phase].label());
-    labels.push_back(std::move(path));
-  }
-  at.error("no phase of this run is called " + excerpt(*label) + meant(did_you_mean(*label, labels)) +
-           (labels.empty() ? "; this algorithm runs in one piece" : ""));
+std::optional<std::uint32_t> read_step(const Cursor& at, const Script& script, Beat& beat) {
+  auto place = read_place(at);
+  if (!place) return std::nullopt;
+  beat.at = *std::move(place);
+  if (script.run == nullptr) return std::nullopt;
+  if (const auto step = step_of(beat.at, script.run->trace)) return step;
+  (at.is(Json::Kind::object) ? at.member(0) : at).error(why_nowhere(beat.at, script.run->trace));
   return std::nullopt;
 }
 
-std::optional<std::uint32_t> read_step(const Cursor& at, const Script& script) {
-  if (at.is(Json::Kind::object)) {
-    if (!at.expect_object({"step", "phase"})) return std::nullopt;
-    const auto step = at.optional("step");
-    const auto phase = at.optional("phase");
-    if (step.has_value() == phase.has_value()) {
-      at.error(R"(must have either "step" or "phase")");
-      return std::nullopt;
-    }
-    if (phase) return read_phase(*phase, script);
-    const int last = script.run != nullptr ? static_cast<int>(script.run->trace.step_count()) - 1 : 1'000'000'000;
-    const auto number = step->integer(0, last);
-    return number && script.run != nullptr ? std::optional<std::uint32_t>(*number) : std::nullopt;
-  }
-  if (!at.is(Json::Kind::string)) {
-    at.error(R"(must be a selector such as "P[1][0]", "start", "end", {"step": 3} or {"phase": "parameters"})");
-    return std::nullopt;
-  }
-  if (at.json().text == "start") return 0;
-  if (at.json().text == "end")
-    return script.run != nullptr ? std::optional<std::uint32_t>(script.run->trace.step_count() - 1) : std::nullopt;
-  const auto values = read_selection(at, script);
-  if (!values) return std::nullopt;
-  return script.run->trace.value(values->front()).step;
-}
-
 void check_say(const Cursor& at, const std::string& say, std::optional<std::uint32_t> step, const Script& script) {
-  for (std::size_t i = say.find('{'); i != std::string::npos; i = say.find('{', i + 1)) {
-    if (const std::size_t end = say.find_first_of("{}", i + 1); end == std::string::npos || say[end] == '{') {
-      at.error("a { has no } behind it, at " + excerpt(std::string_view(say).substr(i)));
-      return;
-    }
+  if (const auto open = open_brace(say)) {
+    at.error("a { has no } behind it, at " + excerpt(std::string_view(say).substr(*open)));
+    return;
   }
   if (!step || script.narrator == nullptr) return;
-  std::vector<std::string> unknown;
-  script.narrator->fill(say, *step, &unknown);
-  for (const std::string& placeholder : unknown) {
+  for (const std::string& placeholder : unresolved(say, *script.narrator, *step)) {
     const std::string_view name = std::string_view(placeholder).substr(placeholder.starts_with('#') ? 1 : 0);
     std::string message = excerpt("{" + placeholder + "}") + " names nothing at step " + std::to_string(*step);
     if (const auto later = script.run->trace.find(name))
       message += ": it is made at step " + std::to_string(script.run->trace.value(*later).step);
-    else
-      message += meant(nearest_name(script.run->trace, name));
+    else if (const auto near = nearest_name(script.run->trace, name))
+      message += "; did you mean " + excerpt(*near) + "?";
     at.error(message);
   }
 }
 
-std::vector<ValueId> read_highlight(const Cursor& at, std::optional<std::uint32_t> step, const Script& script) {
-  std::vector<ValueId> highlights;
-  if (!at.expect_array(1)) return highlights;
+void read_highlight(const Cursor& at, std::optional<std::uint32_t> step, const Script& script, Beat& beat) {
+  if (!at.expect_array(1)) return;
   for (std::size_t i = 0; i < at.size(); ++i) {
-    auto values = read_selection(at[i], script);
+    const auto values = read_selection(at[i], script);
     if (!values || !step) continue;
-    const std::uint32_t first = script.run->trace.value(values->front()).step;
-    std::erase_if(*values, [&](ValueId v) { return script.run->trace.value(v).step > *step; });
-    if (values->empty())
+    beat.selectors.push_back(at[i].json().text);
+    if (const std::uint32_t first = script.run->trace.value(values->front()).step; first > *step)
       at[i].error("nothing of it is made yet at step " + std::to_string(*step) + "; the first comes at step " +
                   std::to_string(first));
-    highlights.insert(highlights.end(), values->begin(), values->end());
   }
-  std::sort(highlights.begin(), highlights.end());
-  highlights.erase(std::unique(highlights.begin(), highlights.end()), highlights.end());
-  return highlights;
+  if (step) beat.highlights = selected_up_to(beat.selectors, *step, script.run->trace);
 }
 
 std::vector<Beat> read_beats(const Cursor& at, const Script& script) {
@@ -140,14 +108,14 @@ std::vector<Beat> read_beats(const Cursor& at, const Script& script) {
     if (!beat.expect_object({"at", "say", "highlight"})) continue;
     Beat made;
     const auto where = beat.required("at");
-    const auto step = where ? read_step(*where, script) : std::nullopt;
+    const auto step = where ? read_step(*where, script, made) : std::nullopt;
     if (const auto say = beat.required("say")) {
       if (auto text = read_text(*say)) {
         check_say(*say, *text, step, script);
         made.say = *std::move(text);
       }
     }
-    if (const auto highlight = beat.optional("highlight")) made.highlights = read_highlight(*highlight, step, script);
+    if (const auto highlight = beat.optional("highlight")) read_highlight(*highlight, step, script, made);
     if (!step) continue;
     made.step = *step;
     if (!beats.empty() && made.step == beats.back().step)
@@ -160,6 +128,22 @@ std::vector<Beat> read_beats(const Cursor& at, const Script& script) {
   return beats;
 }
 
+void read_predict(const Cursor& at, const Script& script, Lesson& lesson) {
+  if (!at.expect_object({"ask", "marking"})) return;
+  if (const auto marking = at.optional("marking")) lesson.marking = read_marking(*marking).value_or(lesson.marking);
+  const auto ask = at.optional("ask");
+  if (!ask || !ask->expect_array(1)) return;
+  for (std::size_t i = 0; i < ask->size(); ++i) {
+    const Cursor item = (*ask)[i];
+    const auto values = read_selection(item, script);
+    if (!values) continue;
+    lesson.asks.push_back(item.json().text);
+    const TraceGraph& trace = script.run->trace;
+    if (std::ranges::all_of(*values, [&](ValueId v) { return trace.is_input(v); }))
+      item.error(excerpt(item.json().text) + " is given: there is nothing to predict");
+  }
+}
+
 void read_optional_text(const Cursor& root, std::string_view key, std::string& text) {
   if (const auto at = root.optional(key)) text = read_text(*at).value_or("");
 }
@@ -169,8 +153,8 @@ void read_optional_text(const Cursor& root, std::string_view key, std::string& t
 Checked<Lesson> load_lesson(const JsonDocument& document) {
   Diagnostics diagnostics;
   const Cursor root(document, diagnostics);
-  if (!root.expect_object(
-          {"$schema", "schema", "id", "title", "unit", "summary", "source", "minutes", "algorithm", "inputs", "beats"}))
+  if (!root.expect_object({"$schema", "schema", "id", "title", "unit", "summary", "source", "minutes", "algorithm",
+                           "inputs", "beats", "predict"}))
     return diagnostics;
   expect_schema(root, "blossom.lesson/1");
   Lesson lesson;
@@ -192,6 +176,7 @@ Checked<Lesson> load_lesson(const JsonDocument& document) {
   if (run) narrator.emplace(*run);
   const Script script{run ? &*run : nullptr, narrator ? &*narrator : nullptr};
   if (const auto at = root.required("beats")) lesson.beats = read_beats(*at, script);
+  if (const auto at = root.optional("predict")) read_predict(*at, script, lesson);
   if (!diagnostics.empty()) return diagnostics;
   lesson.inputs = std::move(run->inputs);
   return lesson;

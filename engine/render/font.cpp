@@ -12,23 +12,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <unordered_map>
-
-#include "base/utf8.hpp"
 
 namespace blossom {
 
 std::u32string decode_utf8(std::string_view text) {
   std::u32string result;
   result.reserve(text.size());
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text, i);
-    char32_t c = static_cast<unsigned char>(text[i]);
-    if (length > 1) c &= 0x7Fu >> length;
-    for (std::size_t k = 1; k < length; ++k) c = c << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3Fu);
-    result += length > 0 ? c : U'\uFFFD';
-    i += std::max<std::size_t>(length, 1);
-  }
+  for (std::size_t i = 0; i < text.size();) result += next_code_point(text, i);
   return result;
 }
 
@@ -41,10 +33,27 @@ std::string encode_utf8(char32_t c) {
 }
 
 struct Fonts::Impl {
+  // Measured once: in a table what most text is made of, in a map the rest. In ems.
   struct Face {
+    static constexpr double unknown = std::numeric_limits<double>::infinity();
+    static constexpr char32_t common_letters = 0x180, common_pairs = 0x80;
+    Face() {
+      common_advances.fill(unknown);
+      common_kernings.assign(std::size_t{common_pairs} * common_pairs, unknown);
+    }
+    double& advance(char32_t c) {
+      return c < common_letters ? common_advances[c] : advances.try_emplace(c, unknown).first->second;
+    }
+    double& kerning(char32_t left, char32_t right) {
+      if (left < common_pairs && right < common_pairs) return common_kernings[left * common_pairs + right];
+      return kernings.try_emplace(std::uint64_t{left} << 32 | right, unknown).first->second;
+    }
+
     FT_Face face = nullptr;
-    std::unordered_map<char32_t, double> advances;       // in ems
-    std::unordered_map<std::uint64_t, double> kernings;  // in ems, of a pair
+    std::array<double, common_letters> common_advances;
+    std::vector<double> common_kernings;
+    std::unordered_map<char32_t, double> advances;
+    std::unordered_map<std::uint64_t, double> kernings;
   };
   FT_Library library = nullptr;
   FT_Stroker stroker = nullptr;
@@ -61,20 +70,24 @@ struct Fonts::Impl {
 Fonts::Fonts(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Fonts::~Fonts() = default;
 
-Checked<std::shared_ptr<const Fonts>> Fonts::load() {
+std::filesystem::path Fonts::file(FontStyle style) {
   static constexpr std::array files = {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf", "DejaVuSansMono.ttf",
                                        "DejaVuSansMono-Bold.ttf"};
   const char* from_environment = std::getenv("BLOSSOM_FONT_DIR");
   const std::filesystem::path folder = from_environment != nullptr && *from_environment != '\0'
                                            ? std::filesystem::path(from_environment)
                                            : std::filesystem::path(BLOSSOM_FONT_DIR);
+  return folder / files[(style.monospace ? 2u : 0u) + (style.bold ? 1u : 0u)];
+}
+
+Checked<std::shared_ptr<const Fonts>> Fonts::load() {
   auto impl = std::make_unique<Impl>();
   if (FT_Init_FreeType(&impl->library) != 0 || FT_Stroker_New(impl->library, &impl->stroker) != 0) {
     return Diagnostics{{"", 0, 0, "", "FreeType cannot be started: out of memory?"}};
   }
   Diagnostics wrong;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const auto path = folder / files[i];
+  for (std::size_t i = 0; i < impl->faces.size(); ++i) {
+    const auto path = file({.bold = i % 2 == 1, .monospace = i >= 2});
     if (FT_New_Face(impl->library, path.c_str(), 0, &impl->faces[i].face) != 0) {
       impl->faces[i].face = nullptr;
       wrong.push_back({path.string(), 0, 0, "",
@@ -88,29 +101,28 @@ Checked<std::shared_ptr<const Fonts>> Fonts::load() {
 
 double Fonts::advance(FontStyle style, char32_t c) const {
   auto& face = impl_->face(style);
-  if (const auto found = face.advances.find(c); found != face.advances.end()) return found->second;
-  double result = 0;
-  if (FT_Load_Char(face.face, c, FT_LOAD_NO_SCALE) == 0) {
-    result = static_cast<double>(face.face->glyph->metrics.horiAdvance) / face.face->units_per_EM;
-  }
-  return face.advances[c] = result;
+  double& kept = face.advance(c);
+  if (kept != Impl::Face::unknown) return kept;
+  const bool known = FT_Load_Char(face.face, c, FT_LOAD_NO_SCALE) == 0;
+  return kept = known ? static_cast<double>(face.face->glyph->metrics.horiAdvance) / face.face->units_per_EM : 0;
 }
 
 double Fonts::kerning(FontStyle style, char32_t left, char32_t right) const {
   auto& face = impl_->face(style);
   if (style.monospace || !FT_HAS_KERNING(face.face)) return 0;
-  const std::uint64_t key = std::uint64_t{left} << 32 | right;
-  if (const auto found = face.kernings.find(key); found != face.kernings.end()) return found->second;
+  double& kept = face.kerning(left, right);
+  if (kept != Impl::Face::unknown) return kept;
   FT_Vector delta{};
   const bool known = FT_Get_Kerning(face.face, FT_Get_Char_Index(face.face, left), FT_Get_Char_Index(face.face, right),
                                     FT_KERNING_UNSCALED, &delta) == 0;
-  return face.kernings[key] = known ? static_cast<double>(delta.x) / face.face->units_per_EM : 0;
+  return kept = known ? static_cast<double>(delta.x) / face.face->units_per_EM : 0;
 }
 
 double Fonts::width(FontStyle style, std::string_view utf8) const {
   double result = 0;
   char32_t previous = 0;
-  for (const char32_t c : decode_utf8(utf8)) {
+  for (std::size_t i = 0; i < utf8.size();) {
+    const char32_t c = next_code_point(utf8, i);
     if (previous != 0) result += kerning(style, previous, c);
     result += advance(style, c);
     previous = c;

@@ -3,18 +3,30 @@
 // canvas, and anti-aliased glyph bitmaps. Italics are the upright faces slanted by 11 degrees, which is how DejaVu's
 // own oblique is drawn; so the package fonts-dejavu-core suffices.
 
+#include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/diagnostics.hpp"
+#include "base/utf8.hpp"
 #include "render/canvas.hpp"
 
 namespace blossom {
 
-// Code points; what is no valid UTF-8 becomes U+FFFD, byte by byte.
+// The code point at text[i], and i behind it; what is no valid UTF-8 becomes U+FFFD, byte by byte.
+inline char32_t next_code_point(std::string_view text, std::size_t& i) {
+  const auto first = static_cast<unsigned char>(text[i]);
+  if (first < 0x80) return ++i, first;
+  const std::size_t length = utf8_length(text, i);
+  char32_t c = first & 0x7Fu >> length;
+  for (std::size_t k = 1; k < length; ++k) c = c << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3Fu);
+  i += std::max<std::size_t>(length, 1);
+  return length > 0 ? c : U'\uFFFD';
+}
 std::u32string decode_utf8(std::string_view);
 std::string encode_utf8(char32_t);
 
@@ -29,6 +41,7 @@ class Fonts {
  public:
   // From the folder BLOSSOM_FONT_DIR of the environment, else from where they were found when Blossom was built.
   static Checked<std::shared_ptr<const Fonts>> load();
+  static std::filesystem::path file(FontStyle);  // of the upright face of that style
   ~Fonts();
   Fonts(const Fonts&) = delete;
   Fonts& operator=(const Fonts&) = delete;
@@ -55,7 +68,8 @@ template <class Visit>
 void for_each_glyph(const Fonts& fonts, const GlyphRun& run, Visit&& visit) {
   double pen = run.x;
   char32_t previous = 0;
-  for (const char32_t c : decode_utf8(run.text)) {
+  for (std::size_t i = 0; i < run.text.size();) {
+    const char32_t c = next_code_point(run.text, i);
     if (previous != 0) pen += fonts.kerning(run.style, previous, c) * run.size;
     visit(c, pen);
     pen += fonts.advance(run.style, c) * run.size;

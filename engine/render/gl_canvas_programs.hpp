@@ -16,11 +16,12 @@ struct ProgramSource {
 };
 
 // In the order of GlCanvas::Program.
-inline constexpr std::array<ProgramSource, 4> program_sources = {{
+inline constexpr std::array<ProgramSource, 5> program_sources = {{
     {"triangle", shaders::triangle_vertex, shaders::triangle_fragment},
     {"stroke", shaders::stroke_vertex, shaders::stroke_fragment},
     {"marker", shaders::marker_vertex, shaders::marker_fragment},
     {"glyph", shaders::glyph_vertex, shaders::glyph_fragment},
+    {"image", shaders::image_vertex, shaders::image_fragment},
 }};
 
 // The diagnostic holds what the driver's compiler said.

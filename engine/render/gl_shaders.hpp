@@ -1,5 +1,5 @@
 #pragma once
-// The four programs of the OpenGL canvas, in what GLSL 3.30 and GLSL ES 3.00 share; the canvas puts the #version line
+// The five programs of the OpenGL canvas, in what GLSL 3.30 and GLSL ES 3.00 share; the canvas puts the #version line
 // and `frame`, the size of the picture in pixels, before each. Positions are pixels, y down, depth 0 to 1.
 
 namespace blossom::shaders {
@@ -148,6 +148,24 @@ uniform sampler2D atlas;
 in vec2 texel;
 flat in vec4 shade;
 void main() { result = vec4(shade.rgb, shade.a * texelFetch(atlas, ivec2(texel), 0).r); }
+)";
+
+inline constexpr const char* image_vertex = R"(
+layout(location = 0) in vec4 corner_and_source;
+layout(location = 1) in vec4 color;
+out vec2 source;
+out vec4 shade;
+void main() {
+  source = corner_and_source.zw;
+  shade = color;
+  gl_Position = place(corner_and_source.xy, 0.0);
+}
+)";
+inline constexpr const char* image_fragment = R"(
+uniform sampler2D atlas;
+in vec2 source;
+in vec4 shade;
+void main() { result = vec4(shade.rgb, shade.a * texture(atlas, source).r); }
 )";
 
 }  // namespace blossom::shaders

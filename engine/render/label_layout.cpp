@@ -14,7 +14,22 @@ constexpr double edge = 2;  // labels keep away from the edge of the view by thi
 
 // Distances of the rings from the anchor, in page units; the first clears a point without marker.
 constexpr std::array<double, 11> rings = {5, 8, 11, 15, 20, 27, 36, 48, 64, 90, 130};
-constexpr int directions = 16;
+
+struct Direction {
+  double cosine, sine;  // y down
+  double taste;         // what a label costs there
+};
+const std::array<Direction, 16>& directions() {
+  static const auto all = [] {
+    std::array<Direction, 16> made{};
+    for (std::size_t k = 0; k < made.size(); ++k) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(made.size());
+      made[k] = {std::cos(angle), -std::sin(angle), 3 * (1 - std::cos(angle - std::numbers::pi / 4)) / 2};
+    }
+    return made;
+  }();
+  return all;
+}
 
 }  // namespace
 
@@ -59,14 +74,15 @@ void LabelLayout::add_line(double ax, double ay, double bx, double by, double in
   const double length = std::hypot(bx - ax, by - ay);
   const double most_steps = 4.0 * (columns_ + rows_);
   const int steps = static_cast<int>(std::clamp(std::ceil(length / cell_ * 1.5), 1.0, most_steps));
+  // In cells from here on; a number that is none, or far outside, must not become an int.
+  const double column = (ax - view_.x) / cell_, row = (ay - view_.y) / cell_;
+  const double across = (bx - ax) / cell_ / steps, down = (by - ay) / cell_ / steps;
+  const auto cost = static_cast<float>(ink * cell_ / 2);
   for (int i = 0; i <= steps; ++i) {
-    const double t = static_cast<double>(i) / steps;
-    const double column = std::floor((ax + t * (bx - ax) - view_.x) / cell_);
-    const double row = std::floor((ay + t * (by - ay) - view_.y) / cell_);
-    if (!(column >= 0 && column < columns_ && row >= 0 && row < rows_)) continue;
-    auto& cell =
-        ink_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
-    cell = std::max(cell, static_cast<float>(ink * cell_ / 2));
+    const double x = column + i * across, y = row + i * down;
+    if (!(x >= 0 && x < columns_ && y >= 0 && y < rows_)) continue;
+    float& cell = ink_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
+    cell = std::max(cell, cost);
   }
 }
 
@@ -103,9 +119,7 @@ std::optional<PixelRect> LabelLayout::place(double width, double height, double 
   int least_blocked = std::numeric_limits<int>::max();
   for (const double ring : rings) {
     if (ring - rings[0] >= best_cost) break;  // farther rings cannot be cheaper
-    for (int k = 0; k < directions; ++k) {
-      const double angle = 2 * std::numbers::pi * k / directions;
-      const double cosine = std::cos(angle), sine = -std::sin(angle);  // y down
+    for (const auto& [cosine, sine, taste] : directions()) {
       // The box touches the ring from outside where it can: its centre moves on a rounded rectangle.
       const double centre_x = anchor_x + cosine * ring + std::clamp(cosine * 1.42, -1.0, 1.0) * width / 2;
       const double centre_y = anchor_y + sine * ring + std::clamp(sine * 1.42, -1.0, 1.0) * height / 2;
@@ -122,7 +136,6 @@ std::optional<PixelRect> LabelLayout::place(double width, double height, double 
         }
         continue;
       }
-      const double taste = 3 * (1 - std::cos(angle - std::numbers::pi / 4)) / 2;
       const double moved = outside ? 4 : 0;
       const double cost = ring - rings[0] + found.ink + taste + moved;
       if (cost < best_cost) {

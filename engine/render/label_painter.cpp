@@ -32,6 +32,7 @@ double ink_of(Role role) {
     case Role::ratio_near:
     case Role::ratio_far:
     case Role::result:
+    case Role::highlight:
       return 2;
     default:
       return 1;
@@ -67,15 +68,15 @@ void fill_obstacles(LabelLayout& layout, const View& view, const Projection& pro
 }  // namespace
 
 void paint_labels(const View& view, const Projection& project, const PixelRect& visible, const Theme& theme,
-                  const Fonts& fonts, Canvas& canvas, double scale) {
+                  const Fonts& fonts, Canvas& canvas, const PageMap& map) {
   const bool on_page = view.camera.kind == Camera::Kind::page;
   const auto paint = [&](const Label& label, TextBlock& block, double x, double baseline) {
     for (auto& run : block.runs) {
-      run.x = (run.x + x) * scale;
-      run.baseline = (run.baseline + baseline) * scale;
-      run.size = std::clamp(run.size * scale, 1.0, Fonts::max_pixels);
+      run.x = (run.x + x) * map.scale + map.origin.x;
+      run.baseline = (run.baseline + baseline) * map.scale + map.origin.y;
+      run.size = std::clamp(run.size * map.scale, 1.0, Fonts::max_pixels);
     }
-    TextPaint look{theme[label.role].ink, theme.background, on_page ? 0 : static_cast<float>(halo_width * scale)};
+    TextPaint look{theme[label.role].ink, theme.background, on_page ? 0 : static_cast<float>(halo_width * map.scale)};
     if (!block.runs.empty()) canvas.text(block.runs, look);
   };
 
@@ -115,11 +116,8 @@ void paint_labels(const View& view, const Projection& project, const PixelRect& 
     const double near_x = std::clamp(anchor->x, box->x, box->right());
     const double near_y = std::clamp(anchor->y, box->y, box->bottom());
     if (std::hypot(near_x - anchor->x, near_y - anchor->y) > leader_distance) {
-      const auto pixel = [&](double x, double y) {
-        return PixelPoint{static_cast<float>(x * scale), static_cast<float>(y * scale), 0};
-      };
-      const PixelPoint leader[] = {pixel(anchor->x, anchor->y), pixel(near_x, near_y)};
-      canvas.polyline(leader, false, {theme[Role::axis].color, static_cast<float>(0.8 * scale), 0, 0});
+      const PixelPoint leader[] = {map(anchor->x, anchor->y, 0), map(near_x, near_y, 0)};
+      canvas.polyline(leader, false, {theme[Role::axis].color, static_cast<float>(0.8 * map.scale), 0, 0});
     }
     paint(*label, block, box->x, box->y - block.top);
   }

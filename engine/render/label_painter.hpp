@@ -3,6 +3,7 @@
 
 #include "render/canvas.hpp"
 #include "render/font.hpp"
+#include "render/page_map.hpp"
 #include "render/projection.hpp"
 #include "render/theme.hpp"
 
@@ -10,6 +11,6 @@ namespace blossom {
 
 // `visible` is the part of the page the view may paint, in page units.
 void paint_labels(const View&, const Projection&, const PixelRect& visible, const Theme&, const Fonts&, Canvas&,
-                  double scale);
+                  const PageMap&);
 
 }  // namespace blossom

@@ -27,9 +27,10 @@ Color faded(Color color, double opacity) {
 
 class ViewPainter {
  public:
+  // `page`: the part of the page that may be painted.
   ViewPainter(const View& view, const PixelRect& page, const Theme& theme, const Fonts& fonts, Canvas& canvas,
-              double scale)
-      : view_(view), theme_(theme), fonts_(fonts), canvas_(canvas), scale_(scale), project_(view) {
+              const PageMap& map)
+      : view_(view), theme_(theme), fonts_(fonts), canvas_(canvas), map_(map), scale_(map.scale), project_(view) {
     visible_ = view.clip ? intersection({view.x, view.y, view.width, view.height}, page) : page;
     // What runs out of sight is cut a little beyond the edge, so that its end is not seen.
     constexpr double margin = 40;
@@ -38,8 +39,7 @@ class ViewPainter {
 
   void paint() {
     if (visible_.width <= 0 || visible_.height <= 0) return;
-    const PixelRect clip{visible_.x * scale_, visible_.y * scale_, visible_.width * scale_, visible_.height * scale_};
-    canvas_.begin_view(clip, project_.has_depth());
+    canvas_.begin_view(map_(visible_), project_.has_depth());
     if (project_.has_depth()) {
       paint_solids();
       const bool translucent =
@@ -56,13 +56,11 @@ class ViewPainter {
       for (const auto& polygon : view_.polygons) paint_polygon(polygon);
     }
     paint_lines_and_markers();
-    paint_labels(view_, project_, visible_, theme_, fonts_, canvas_, scale_);
+    paint_labels(view_, project_, visible_, theme_, fonts_, canvas_, map_);
   }
 
  private:
-  PixelPoint pixel(const PagePoint& p) const {
-    return {static_cast<float>(p.x * scale_), static_cast<float>(p.y * scale_), static_cast<float>(p.depth)};
-  }
+  PixelPoint pixel(const PagePoint& p) const { return map_(p.x, p.y, p.depth); }
   bool near_page(const PagePoint& p) const {
     return p.x > guard_.x - 4000 && p.x < guard_.right() + 4000 && p.y > guard_.y - 4000 &&
            p.y < guard_.bottom() + 4000;
@@ -235,6 +233,7 @@ class ViewPainter {
   const Theme& theme_;
   const Fonts& fonts_;
   Canvas& canvas_;
+  PageMap map_;
   double scale_;
   Projection project_;
   PixelRect visible_, guard_;
@@ -242,6 +241,13 @@ class ViewPainter {
   std::vector<Color> colors_;
   std::vector<std::uint32_t> indices_;
 };
+
+void paint_part(const View& view, const PixelRect& page, const Theme& theme, const Fonts& fonts, Canvas& canvas,
+                const PageMap& map) {
+  const bool finite =
+      std::isfinite(view.x) && std::isfinite(view.y) && std::isfinite(view.width) && std::isfinite(view.height);
+  if (finite && view.width > 0 && view.height > 0) ViewPainter(view, page, theme, fonts, canvas, map).paint();
+}
 
 }  // namespace
 
@@ -258,15 +264,19 @@ Checked<Frame> frame_of(const Scene& scene, const Theme& theme, double scale, in
                theme.background, scene.title, scene.description};
 }
 
+void paint_view(const View& view, const Theme& theme, const Fonts& fonts, Canvas& canvas, double scale,
+                glm::dvec2 origin, const PixelRect& clip) {
+  assert(scale > 0);
+  const PageMap map{scale, {std::round(origin.x), std::round(origin.y)}};
+  paint_part(view, map.back(clip), theme, fonts, canvas, map);
+}
+
 void paint(const Scene& scene, const Theme& theme, const Fonts& fonts, Canvas& canvas, double scale) {
   const auto frame = frame_of(scene, theme, scale);
   assert(frame);
   canvas.begin(*frame);
-  const PixelRect page{0, 0, scene.width, scene.height};
   for (const auto& view : scene.views) {
-    const bool finite =
-        std::isfinite(view.x) && std::isfinite(view.y) && std::isfinite(view.width) && std::isfinite(view.height);
-    if (finite && view.width > 0 && view.height > 0) ViewPainter(view, page, theme, fonts, canvas, scale).paint();
+    paint_part(view, {0, 0, scene.width, scene.height}, theme, fonts, canvas, {scale, {0, 0}});
   }
   canvas.finish();
 }

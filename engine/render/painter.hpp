@@ -14,7 +14,13 @@ namespace blossom {
 // `largest` pixels wide and high, or more than 64 million pixels.
 Checked<Frame> frame_of(const Scene&, const Theme&, double scale, int largest = 16384);
 
-// Precondition: frame_of(scene, theme, scale) is a frame.
+// One view into a frame that somebody else has begun. `origin`: where the origin of the view's page is, in pixels,
+// rounded to whole ones so that text stays crisp. Nothing is painted outside of `clip` (pixels), nor outside of the
+// view's rectangle when the view clips; labels find their places inside of both. Precondition: scale > 0.
+void paint_view(const View&, const Theme&, const Fonts&, Canvas&, double scale, glm::dvec2 origin,
+                const PixelRect& clip);
+
+// A whole frame. Precondition: frame_of(scene, theme, scale) is a frame.
 void paint(const Scene&, const Theme&, const Fonts&, Canvas&, double scale);
 
 }  // namespace blossom

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "scene/display_list.hpp"
+#include "scene/camera.hpp"
 
 namespace blossom {
 
@@ -16,10 +16,9 @@ class Projection {
  public:
   explicit Projection(const View&);
 
-  bool has_depth() const { return camera_.kind == Camera::Kind::orbit; }
-  // Unit vector towards the viewer (of a parallel projection; in perspective, at the centre).
-  glm::dvec3 to_viewer() const { return toward_; }
-  glm::dvec3 to_viewer(const glm::dvec3& from) const;
+  bool has_depth() const { return lens_.camera().kind == Camera::Kind::orbit; }
+  // Unit vector towards the viewer.
+  glm::dvec3 to_viewer(const glm::dvec3& from) const { return lens_.to_viewer(from); }
 
   // Nothing for what is behind the viewer, not finite, or more than 1e6 page units away. `pull` moves the depth (not
   // the place) toward the viewer, in hundredths of the camera's height, so that lines on a surface stand before it.
@@ -28,11 +27,8 @@ class Projection {
  private:
   double depth_of(double z) const;
 
-  Camera camera_;
-  double x_ = 0, y_ = 0, width_ = 0, height_ = 0;
-  double units_ = 1;  // page units per world unit, at the centre
-  glm::dvec3 right_{1, 0, 0}, up_{0, 1, 0}, toward_{0, 0, 1};
-  double eye_ = 0;                      // distance of the eye from the centre, in perspective
+  Lens lens_;
+  double x_ = 0, y_ = 0;
   double nearest_ = 1, farthest_ = -1;  // z toward the viewer, about the centre, of all that is in the view
 };
 

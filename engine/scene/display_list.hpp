@@ -38,8 +38,12 @@ enum class Role : std::uint8_t {
   text_quiet,    // secondary text
   text_strong,   // headings
   text_current,  // text about the current step
+  highlight,     // what one points at or has pinned, and what it came from: stands out on everything
+  right,         // a right answer
+  mistake,       // a wrong one, or input that is not valid
+  focus,         // outline of what has the keyboard's focus
 };
-inline constexpr int role_count = 24;
+inline constexpr int role_count = 28;
 
 // A piece of a label: the baseline text, a subscript or a superscript (P with a subscript and a superscript is three).
 struct TextRun {

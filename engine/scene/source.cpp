@@ -31,6 +31,7 @@ StepSource make_source(const Narrator<S>& narrator) {
   source.algorithm = run.algorithm;
   source.dimension = run.trace.dimension;
   source.rational = run.trace.rational;
+  source.exact = std::same_as<S, Exact>;
   for (const auto& [name, value] : run.inputs.values) {
     if (const auto* c = std::get_if<Curve<S>>(&value)) source.curves.push_back(in_double(*c));
     if (const auto* cs = std::get_if<std::vector<Curve<S>>>(&value))
@@ -60,6 +61,12 @@ StepSource make_source(const Narrator<S>& narrator) {
   source.numbers = [n](ValueId v) { return n->numbers(v); };
   source.polar = [n](ValueId v) { return n->polar(v); };
   source.phase_title = [n](std::uint32_t phase) { return n->phase_title(phase); };
+  source.text = [n](std::uint32_t step) { return n->text(step); };
+  source.raw = [n](ValueId v) {
+    std::vector<double> numbers;
+    for (const S& number : n->trace().numbers(v)) numbers.push_back(to_double(number));
+    return numbers;
+  };
   return source;
 }
 

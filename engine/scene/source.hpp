@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -11,6 +12,8 @@
 #include "algorithms/narrate.hpp"
 
 namespace blossom {
+
+class Schemes;
 
 struct StepSource {
   const TraceGraph* graph = nullptr;
@@ -21,6 +24,7 @@ struct StepSource {
   std::optional<double> parameter;                // the input u, if there is one
   std::vector<std::optional<glm::dvec3>> points;  // of each value that is a point of its own and finite
   std::vector<double> scalars;                    // of each value that is a number, else 0
+  bool exact = false;                             // whether the run was in exact arithmetic
   Outcome<double> outcome;
 
   // Text, from the narrator of the run's own scalar; valid as long as that narrator.
@@ -28,6 +32,10 @@ struct StepSource {
   std::function<int(std::uint32_t step)> line;
   std::function<std::string(ValueId)> value_text, formula, numbers, polar;
   std::function<std::string(std::uint32_t phase)> phase_title;
+  std::function<std::string(std::uint32_t step)> text;             // the algorithm's own narration
+  std::function<std::vector<double>(ValueId)> raw;                 // a value's numbers, as a rule takes them
+
+  mutable std::shared_ptr<Schemes> schemes;  // worked out at the first look, see scene/scheme.hpp
 
   bool spatial() const { return dimension == 3; }
   const ValueSpec* spec(ValueId) const;  // of the algorithm around it or the whole one; nullptr if neither knows it

@@ -30,7 +30,7 @@ int lines_in(const std::string& text) { return static_cast<int>(std::ranges::cou
 
 TEST_CASE("Each command has a manual with an example of itself") {
   for (const std::string command : {
-         "list", "trace", "play", "lint",
+         "list", "trace", "step", "lint",
 #if BLOSSOM_PLAYER
              "render"
 #endif
@@ -46,7 +46,7 @@ TEST_CASE("Each command has a manual with an example of itself") {
   const auto all = blossom::test::blossom({"--help"});
   SHOW(all);
   CHECK(all.status == 0);
-  for (const auto* command : {"list", "trace", "play", "lint"}) CHECK(contains(all.out, command));
+  for (const auto* command : {"list", "trace", "step", "lint"}) CHECK(contains(all.out, command));
 }
 
 TEST_CASE("Wrong usage is said on standard error, with status 2 and the way to the manual") {
@@ -54,7 +54,7 @@ TEST_CASE("Wrong usage is said on standard error, with status 2 and the way to t
       {{}, "subcommand"},
       {{"trac"}, "did you mean \"trace\"?"},
       {{"trace"}, "LESSON"},
-      {{"play"}, "LESSON"},
+      {{"step"}, "LESSON"},
       {{"trace", "01-de-casteljau", "--format", "xml"}, "xml"},
       {{"trace", "01-de-casteljau", "--exakt"}, "--exakt"},
       {{"trace", "--algorithm", "de_boor"}, "--inputs"},
@@ -352,7 +352,7 @@ namespace {
 
 // What play answers to these lines: one piece for each, after the first picture of the start.
 std::vector<std::string> play(const std::string& script, const std::vector<std::string>& more = {}) {
-  std::vector<std::string> arguments{"play", "05-de-boor"};
+  std::vector<std::string> arguments{"step", "05-de-boor"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const auto ended = blossom::test::blossom(arguments, {.input = script});
   SHOW(ended);

@@ -63,7 +63,7 @@ TEST_CASE("A lesson that overflows only in doubles says so at its inputs") {
  "beats": [{"at": "start", "say": "Here"}]})");
   CHECK(blossom::test::blossom({"trace", file, "--exact"}).status == 0);
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"trace", file}, {"play", file, "--decimals"}}) {
+       {std::vector<std::string>{"trace", file}, {"step", file, "--decimals"}}) {
     const auto ended = blossom::test::blossom(arguments);
     SHOW(ended);
     CHECK(ended.status == 1);
@@ -91,7 +91,7 @@ TEST_CASE("Whatever is typed, messages are harmless lines") {
                                                     {"trace", "--algorithm", "de_boor", "--inputs", evil},
                                                     {"lint", evil},
                                                     {"list", "--lessons", evil},
-                                                    {"play", evil}}) {
+                                                    {"step", evil}}) {
     const auto ended = blossom::test::blossom(arguments);
     SHOW(ended);
     CHECK(ended.status != 0);
@@ -100,7 +100,7 @@ TEST_CASE("Whatever is typed, messages are harmless lines") {
     CHECK(contains(lines.at(0), "\\x0A\\x1B[2J\\xC2\\x9B\\xE2\\x80\\xAEy"));
     for (const std::string& text : {ended.err, ended.out}) CHECK(text.find_first_of("\x1B\x9B") == std::string::npos);
   }
-  const auto play = blossom::test::blossom({"play", "05"}, {.input = "\x1B[2J\nw \x1B]0;x\x07\nq\n"});
+  const auto play = blossom::test::blossom({"step", "05"}, {.input = "\x1B[2J\nw \x1B]0;x\x07\nq\n"});
   SHOW(play);
   CHECK(play.status == 0);
   CHECK(contains(play.out, "no such command: \"\\x1B[2J\""));
@@ -177,7 +177,7 @@ TEST_CASE("Columns and underlines are measured in characters") {
   CHECK(accented);
   CHECK(std::ranges::count(columns, columns[0]) == static_cast<std::ptrdiff_t>(columns.size()));
 
-  for (const std::string command : {"trace", "play"}) {
+  for (const std::string command : {"trace", "step"}) {
     const auto lines = lines_of(blossom::test::blossom({command, "01-de-casteljau"}).out);
     REQUIRE(lines.size() > 2);
     CHECK(contains(lines[0], "B\xC3\xA9zier"));
@@ -193,7 +193,7 @@ TEST_CASE("Narration is wrapped by trace and by play, at its characters and its 
   std::string say;
   for (int i = 0; i < 60; ++i) say += "B\xC3\xA9zier ";  // 6 characters of 7 bytes, and a blank
   const auto file = scratch.write("lesson.json", lesson.insert(at + 8, say + "end.\\nA line of its own "));
-  for (const std::string command : {"trace", "play"}) {
+  for (const std::string command : {"trace", "step"}) {
     const auto ended = blossom::test::blossom({command, file});
     SHOW(ended);
     CHECK(ended.status == 0);

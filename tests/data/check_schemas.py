@@ -159,6 +159,9 @@ for path in lessons:
         (["beats", 0, "at"], {"step": 0, "phase": "knots"}),
         (["beats", 0, "highlight"], "P[0][0]"),
         (["beats", 0, "spelled_wrong"], 1),
+        (["predict"], {"ask": []}),
+        (["predict"], {"ask": ["P[1"]}),
+        (["predict"], {"marking": "never"}),
     ])
     for exact in ([], ["--exact"]):
         trace = json.loads(run(blossom, "trace", path, "--format", "json", *exact))
@@ -195,6 +198,7 @@ for path in exercises:
         (["tolerance"], {"decimals": "three"}),
         (["tolerance"], {"decimals": 3, "absolute": 1}),
         (["feedback"], "loud"),
+        (["marking"], "never"),
     ])
 
 # Sample answers (two of the class are no JSON on purpose), and the grades of the whole class.

@@ -37,6 +37,17 @@ TEST_CASE("an exercise's parts are the values its selectors select, each with it
   CHECK_FALSE(exercise->part("P[9][9]"));
 }
 
+TEST_CASE("an exercise is marked at its end unless it says otherwise") {
+  const auto marked = [](const std::string& more) {
+    return mistakes(exercise_text("de_boor", de_boor_inputs, R"([{"value": "C", "points": 1}])", more));
+  };
+  const std::string ask = R"([{"value": "C", "points": 1}])";
+  CHECK(grader_of(exercise_text("de_boor", de_boor_inputs, ask))->exercise().marking == Marking::at_end);
+  CHECK(grader_of(exercise_text("de_boor", de_boor_inputs, ask, R"(, "marking": "at-once")"))->exercise().marking ==
+        Marking::at_once);
+  CHECK(says(marked(R"(, "marking": "now")"), R"(marking: must be "at-once" or "at-end", not "now")"));
+}
+
 TEST_CASE("a selector leaves out what is given") {
   const auto grader = grader_of(exercise_text("de_boor", de_boor_inputs, R"([{"value": "P[*][*]", "points": 1}])"));
   CHECK(grader->exercise().parts.size() == 6);

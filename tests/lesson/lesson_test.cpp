@@ -210,6 +210,86 @@ TEST_CASE("a parameter is a knot in exact arithmetic if and only if it is one in
   }
 }
 
+TEST_CASE("a lesson says what is predicted, and when predictions are marked") {
+  const auto with = [](const std::string& predict) {
+    return load_lesson(
+        parsed(header + parabola + "\n\"beats\": [" + beat("\"start\"") + "], \"predict\": " + predict + "}"));
+  };
+  CHECK(lesson_of(beat("\"start\"")).asks.empty());
+  CHECK(lesson_of(beat("\"start\"")).marking == Marking::at_once);
+  const auto lesson = with(R"({"ask": ["P[1][*]", "C"], "marking": "at-end"})");
+  REQUIRE(lesson);
+  CHECK(lesson->asks == std::vector<std::string>{"P[1][*]", "C"});
+  CHECK(lesson->marking == Marking::at_end);
+  REQUIRE(with("{}"));
+  CHECK(with("{}")->asks.empty());
+  CHECK(to_string(with(R"({"asks": 1,
+"ask": ["P[1", "P[3][0]", "P[0][*]", "P[*][*]", 7], "marking": "later"})")
+                      .diagnostics) ==
+        "lesson.json:3:54: predict: unknown key \"asks\"; did you mean \"ask\"?\n"
+        "lesson.json:4:9: predict.ask[0]: is no selector: the bracket at character 2 is not closed\n"
+        "lesson.json:4:16: predict.ask[1]: no value of this run is called \"P[3][0]\"; did you mean \"P[0][0]\"?\n"
+        "lesson.json:4:27: predict.ask[2]: \"P[0][*]\" is given: there is nothing to predict\n"
+        "lesson.json:4:49: predict.ask[4]: must be a string, not 7\n"
+        "lesson.json:4:64: predict.marking: must be \"at-once\" or \"at-end\", not \"later\"\n");
+  CHECK(to_string(with(R"({"ask": []})").diagnostics) ==
+        "lesson.json:3:61: predict.ask: must have at least 1 item, not 0\n");
+}
+
+TEST_CASE("the beats of a lesson in a run with other inputs: those whose place is there, in the order of its steps") {
+  const auto lesson =
+      lesson_of(beat("\"start\"") + R"(, {"at": "P[1][0]", "say": "a", "highlight": ["P[0][*]", "P[1][*]"]}, )" +
+                beat("\"P[1][1]\"", "b") + ", " + beat("\"P[2][0]\"", "c") + ", " + beat("\"C\"", "d"));
+  const auto beats_of = [&](const std::string& points) {
+    const auto document = parsed(R"({"curve": {"degree": )" + points + R"(}, "u": "1/2"})");
+    Diagnostics diagnostics;
+    const auto read = read_inputs(*lesson.algorithm, Cursor(document, diagnostics));
+    REQUIRE(read);
+    const auto run = record<double>(*lesson.algorithm, *read);
+    REQUIRE(run);
+    std::string said;
+    std::uint32_t before = 0;
+    for (const Beat& each : resolve_beats(lesson, run->trace)) {
+      CHECK((said.empty() || each.step > before));
+      before = each.step;
+      said += each.say + "@" + std::to_string(each.step) + " ";
+      for (const ValueId v : each.highlights) said += run->trace.name(v) + " ";
+    }
+    return said;
+  };
+  CHECK(beats_of("2, \"points\": [[0, 0], [2, 4], [4, 0]]") ==
+        "Look.@0 a@1 P[0][0] P[0][1] P[0][2] P[1][0] b@2 c@3 d@4 ");
+  CHECK(beats_of("1, \"points\": [[0, 0], [2, 4]]") == "Look.@0 a@1 P[0][0] P[0][1] P[1][0] d@2 ");
+  CHECK(beats_of("3, \"points\": [[0, 0], [2, 4], [4, 0], [5, 0]]") ==
+        "Look.@0 a@1 P[0][0] P[0][1] P[0][2] P[0][3] P[1][0] b@2 c@4 d@7 ");
+}
+
+TEST_CASE("of beats that come to stand at one step, or in another order, the first of each step stays") {
+  const auto lesson =
+      lesson_of(beat("\"P[1][0]\"", "a") + ", " + beat("\"P[2][0]\"", "b") + ", " + beat("{\"step\": 4}", "c"));
+  const auto document = parsed(R"({"curve": {"degree": 3, "points": [[0, 0], [2, 4], [4, 0], [5, 0]]}, "u": "1/2"})");
+  Diagnostics diagnostics;
+  const auto inputs = read_inputs(*lesson.algorithm, Cursor(document, diagnostics));
+  REQUIRE(inputs);
+  const auto run = record<Exact>(*lesson.algorithm, *inputs);
+  REQUIRE(run);
+  const auto beats = resolve_beats(lesson, run->trace);  // P[2][0] is made at step 4 of this run
+  REQUIRE(beats.size() == 2);
+  CHECK(beats[1].say == "b");
+  CHECK(beats[1].step == 4);
+}
+
+TEST_CASE("places are read as they are written") {
+  for (const std::string text :
+       {"\"start\"", "\"end\"", "{\"step\": 12}", "{\"phase\": \"raise[1].decompose\"}", "\"P[1..2][*]\""}) {
+    const auto document = parsed(text);
+    Diagnostics diagnostics;
+    const auto place = read_place(Cursor(document, diagnostics));
+    REQUIRE(place);
+    CHECK(write_place(*place) == text);
+  }
+}
+
 TEST_CASE("what a lesson must have") {
   const auto nothing = load_lesson(parsed("{}"));
   CHECK(to_string(nothing.diagnostics) ==

@@ -74,8 +74,9 @@ TEST_CASE("Every panel lies within the page, and what it paints within the panel
 
 TEST_CASE("The pseudo-code is all there, its current line marked") {
   for_each_step<double>([](const auto& lesson, std::uint32_t step) {
-    View view;
-    const double height = add_pseudo_code(view, lesson.source, step, 0, 0, 400);
+    Sheet sheet;
+    const View& view = sheet.view;
+    const double height = add_pseudo_code(sheet, lesson.source, step, {}, 0, 0, 400);
     const auto& code = lesson.source.algorithm_at(step).pseudo_code;
     const int line = lesson.source.line(step);
     CHECK(height > 18 * static_cast<double>(code.size()));
@@ -105,8 +106,10 @@ TEST_CASE("The triangular scheme has the values made so far, and a blank for eac
   int schemes = 0;
   for_each_step<double>([&](const auto& lesson, std::uint32_t step) {
     const auto cells = scheme_of(lesson.source);
-    View view;
-    if (add_tableau(view, lesson.source, step, 0, 0, 2000, 2000) == 0) return;
+    if (cells.empty()) return;  // schemes of elevation and inside of phases: panels_tableau_test.cpp
+    Sheet sheet;
+    const View& view = sheet.view;
+    if (add_tableau(sheet, lesson.source, step, {}, 0, 0, {true, 2000, 2000}).height == 0) return;
     ++schemes;
     const auto& graph = *lesson.source.graph;
     std::size_t made = 0;
@@ -127,11 +130,11 @@ TEST_CASE("The triangular scheme has the values made so far, and a blank for eac
 
 TEST_CASE("A scheme that does not fit is left out, not squeezed") {
   const auto lesson = prepare<double>("de-boor");
-  View view;
-  CHECK(add_tableau(view, lesson->source, 3, 0, 0, 60, 400) == 0);
-  CHECK(add_tableau(view, lesson->source, 3, 0, 0, 400, 40) == 0);
-  CHECK(view.labels.empty());
-  CHECK(view.polygons.empty());
+  Sheet sheet;
+  CHECK(add_tableau(sheet, lesson->source, 3, {}, 0, 0, {true, 60, 400}).height == 0);
+  CHECK(add_tableau(sheet, lesson->source, 3, {}, 0, 0, {true, 400, 40}).height == 0);
+  CHECK(sheet.view.labels.empty());
+  CHECK(sheet.view.polygons.empty());
 }
 
 TEST_CASE("The knot line marks each knot once, with its multiplicity") {
@@ -139,8 +142,9 @@ TEST_CASE("The knot line marks each knot once, with its multiplicity") {
   for (const auto& entry : shipped_lessons().lessons) {
     const auto lesson = prepare<double>(entry);
     INFO(lesson->name);
-    View view;
-    const double height = add_knot_line(view, lesson->source, 0, 0, 0, 700);
+    Sheet sheet;
+    const View& view = sheet.view;
+    const double height = add_knot_line(sheet, lesson->source, 0, {}, 0, 0, 700);
     const auto& curves = lesson->source.curves;
     if (curves.size() != 1 || curves[0].bezier) {
       CHECK(height == 0);
@@ -173,19 +177,21 @@ TEST_CASE("The formula panel gives what the step makes, with names, with numbers
   const auto lesson = prepare("de-boor");
   const auto& trace = lesson->run.trace;
   const ValueId v = *trace.find("P[1][2]");
-  View view;
-  CHECK(add_formula(view, lesson->source, trace.value(v).step, 0, 0, 600, 400) > 0);
+  Sheet sheet;
+  const View& view = sheet.view;
+  CHECK(add_formula(sheet, lesson->source, trace.value(v).step, 0, 0, 600, 400) > 0);
   std::string all;
   for (const auto& label : view.labels) all += plain_text(label.text) + "\n";
   INFO(all);
   CHECK(all.find("P2(1) = (0, 16)") != std::string::npos);  // the published value of this example
   CHECK(all.find("(1 - 4/5) (0, 0) + 4/5 (0, 20)") != std::string::npos);
   CHECK(all.find("b(0, 1/4, 2/5)") != std::string::npos);            // between b(0, 0, 1/4) and b(0, 1/4, 1/2)
-  CHECK(add_formula(view, lesson->source, 0, 0, 0, 600, 400) == 0);  // the step that shows the inputs makes nothing
+  CHECK(add_formula(sheet, lesson->source, 0, 0, 0, 600, 400) == 0);  // the step that shows the inputs makes nothing
 
   // With less room the last of it is left out, and nothing reaches beyond.
-  View small;
-  CHECK(add_formula(small, lesson->source, trace.value(v).step, 0, 0, 600, 75) <= 75 + 12);
+  Sheet small_sheet;
+  const View& small = small_sheet.view;
+  CHECK(add_formula(small_sheet, lesson->source, trace.value(v).step, 0, 0, 600, 75) <= 75 + 12);
   all.clear();
   for (const auto& label : small.labels) all += plain_text(label.text) + "\n";
   CHECK(all.find("P2(1) = (0, 16)") != std::string::npos);

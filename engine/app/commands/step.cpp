@@ -1,4 +1,4 @@
-// blossom play: step through an algorithm at the terminal, forward and back.
+// blossom step: step through an algorithm at the terminal, forward and back.
 
 #include <iostream>
 #include <sstream>
@@ -149,7 +149,7 @@ class Stepper {
 };
 
 template <Scalar S>
-int play(const Subject& subject) {
+int step_through(const Subject& subject) {
   const auto recorded = record<S>(subject);
   if (!recorded) return report(recorded.diagnostics);
   const Narrator<S> narrator(*recorded, 6);
@@ -166,18 +166,18 @@ void set_up(CLI::App& app, int& status) {
   add_subject_options(app, options->subject);
   app.add_flag("--decimals", options->decimals,
                "Compute in decimals (double precision); by default in exact fractions");
-  app.footer(std::string("Keys, each followed by Enter:\n") + keys + "Example:\n  blossom play 01-de-casteljau");
+  app.footer(std::string("Keys, each followed by Enter:\n") + keys + "Example:\n  blossom step 01-de-casteljau");
   app.callback([options, &status] {
     const auto subject = load_subject(options->subject);
     status =
-        !subject ? report(subject.diagnostics) : (options->decimals ? play<double>(*subject) : play<Exact>(*subject));
+        !subject ? report(subject.diagnostics) : (options->decimals ? step_through<double>(*subject) : step_through<Exact>(*subject));
   });
 }
 
 }  // namespace
 
-const Command& command_play() {
-  static const Command command{"play", "Step through an algorithm, forward and back, at the terminal", 25, set_up};
+const Command& command_step() {
+  static const Command command{"step", "Step through an algorithm, forward and back, at the terminal", 25, set_up};
   return command;
 }
 

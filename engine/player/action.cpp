@@ -1,0 +1,34 @@
+#include "player/action.hpp"
+
+#include <algorithm>
+
+namespace blossom {
+
+std::vector<const ActionGroup*> ordered_action_groups() {
+  auto groups = action_groups();
+  std::stable_sort(groups.begin(), groups.end(), [](const auto* a, const auto* b) { return a->order < b->order; });
+  return groups;
+}
+
+const Action* find_action(std::string_view id) {
+  for (const ActionGroup* group : action_groups())
+    for (const Action& action : group->actions)
+      if (action.id == id) return &action;
+  return nullptr;
+}
+
+const Action* action_for_key(std::string_view key) {
+  for (const ActionGroup* group : action_groups())
+    for (const Action& action : group->actions)
+      if (std::ranges::find(action.keys, key) != action.keys.end()) return &action;
+  return nullptr;
+}
+
+bool perform(Player& player, std::string_view id) {
+  const Action* action = find_action(id);
+  if (action == nullptr || (action->enabled != nullptr && !action->enabled(player))) return false;
+  action->run(player);
+  return true;
+}
+
+}  // namespace blossom

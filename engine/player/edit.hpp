@@ -1,0 +1,87 @@
+#pragma once
+// Edits of a run's inputs: pure functions from inputs to new inputs, or to what is wrong. What is valid is decided in
+// one place, by the readers of files (read_input and the algorithm's check): what an edit changes goes through them, so
+// no edit can make inputs that a file could not have. Paths of diagnostics begin at the inputs ("curve.knots[4]",
+// "profiles[1].points[0]", "u").
+//
+// An edit of a curve that leaves another input unfit takes that one along: u moves to the nearest place in the domain
+// where the algorithm can run (the domain's end, or the middle of a span), and a whole number (times, degree_v) goes
+// down as far as it must. So one can change knots, degrees and kinds without caring about u first.
+
+#include "algorithms/run.hpp"
+
+namespace blossom {
+
+// One control point: of the curve that is the input of this name, or of its `curve`-th one.
+struct PointAddress {
+  std::string input;
+  std::size_t curve = 0;
+  std::size_t point = 0;
+  bool operator==(const PointAddress&) const = default;
+};
+// The curves among the inputs, in the order in which panels number them (by input name, then index).
+struct CurveAddress {
+  std::string input;
+  std::size_t curve = 0;
+  bool operator==(const CurveAddress&) const = default;
+};
+std::vector<CurveAddress> curves_of(const Inputs<Exact>&);
+const Curve<Exact>& curve_at(const Inputs<Exact>&, const CurveAddress&);
+
+// The control point that a value of the trace is, if it is one that was given; and back.
+std::optional<PointAddress> address_of(const TraceGraph&, const Inputs<Exact>&, ValueId);
+std::optional<ValueId> value_of(const TraceGraph&, const Inputs<Exact>&, const PointAddress&);
+
+// The place of a point as people type it, not multiplied with its weight (in 2D the third is 0).
+Point<Exact> affine(const Curve<Exact>&, std::size_t point);
+
+using Edited = Checked<Inputs<Exact>>;
+
+// Inputs around a curve: the middle of its domain for a parameter, all else as when a file leaves it out.
+Edited inputs_around(const Algorithm&, const Curve<Exact>&);
+
+// A point of weight 0 has no place and cannot be moved.
+Edited move_point(const Algorithm&, const Inputs<Exact>&, const PointAddress&, const Point<Exact>& to);
+// A polynomial curve becomes rational by its first weight that is not 1. A point that gets weight 0 loses its place.
+Edited set_weight(const Algorithm&, const Inputs<Exact>&, const PointAddress&, const Exact& weight);
+// Behind the addressed point. The curve keeps its degree if it has knots (one knot is added in the middle of the
+// longest span near the point), and a Bezier curve gets one degree more. The new point has weight 1.
+Edited insert_point(const Algorithm&, const Inputs<Exact>&, const PointAddress& behind, const Point<Exact>& at);
+// With the inner knot nearest the point; a Bezier curve gets one degree less.
+Edited delete_point(const Algorithm&, const Inputs<Exact>&, const PointAddress&);
+
+// Knots stay in order: a value beyond a neighbour is refused at the knot itself.
+Edited set_knot(const Algorithm&, const Inputs<Exact>&, const CurveAddress&, std::size_t index, const Exact& value);
+// All knots that equal the one of this index.
+Edited set_equal_knots(const Algorithm&, const Inputs<Exact>&, const CurveAddress&, std::size_t index,
+                       const Exact& value);
+
+// The degree, with the same control points: new clamped uniform knots over the same domain (a Bezier curve: points are
+// added by degree elevation, or the last ones left out).
+Edited set_degree(const Algorithm&, const Inputs<Exact>&, const CurveAddress&, int degree);
+
+enum class CurveKind { bezier, rational_bezier, bspline, nurbs };
+std::string_view curve_kind_name(CurveKind);  // "Bézier", "rational Bézier", "B-spline", "NURBS"
+CurveKind kind_of(const Curve<Exact>&);
+// To polynomial: weights are dropped, points keep their places. To Bezier: the degree becomes n (25 at most, or it is a
+// diagnostic). To B-spline: the Bezier knots, written out.
+Edited set_kind(const Algorithm&, const Inputs<Exact>&, const CurveAddress&, CurveKind);
+
+// A copy, moved on as the row of curves goes.
+Edited add_curve(const Algorithm&, const Inputs<Exact>&, const CurveAddress& behind);
+Edited delete_curve(const Algorithm&, const Inputs<Exact>&, const CurveAddress&);
+
+Edited set_number(const Algorithm&, const Inputs<Exact>&, std::string_view input, const Exact&);
+Edited set_integer(const Algorithm&, const Inputs<Exact>&, std::string_view input, int);
+Edited set_choice(const Algorithm&, const Inputs<Exact>&, std::string_view input, std::string_view choice);
+
+// The nearest number with so few decimals that it is as fine as `unit` (a pixel in the world) and no finer: what a drag
+// means. With `grid` > 0: the nearest multiple of it.
+Exact snapped(double value, double unit, double grid = 0);
+
+// The inputs as a file's "inputs" object, with decimals where they are exact; and as its text, which is indented by
+// `indent` blanks after the first line.
+Json json_of(const Inputs<Exact>&);
+std::string write_inputs(const Inputs<Exact>&, int indent = 0);
+
+}  // namespace blossom

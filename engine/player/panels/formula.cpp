@@ -1,0 +1,38 @@
+// Where the step's value comes from: the formula with symbols, then with the numbers filled in, then the result.
+#include "player/ui/panel.hpp"
+#include "player/ui/ui.hpp"
+#include "scene/typeset.hpp"
+
+namespace blossom {
+namespace {
+
+void draw(Ui& ui) {
+  const Session& session = *ui.player().session();
+  const StepSource& source = session.recording().source();
+  ValueId v = source.graph->main_value(session.step());
+  if (v == absent || source.graph->is_input(v)) {
+    ImGui::TextDisabled("%s", session.step() == 0 ? "What is given." : "A new part begins here.");
+    return;
+  }
+  const double width = ui.units(ImGui::GetContentRegionAvail().x);
+  const auto say = [&](const std::string& text, double size, Role role) {
+    double height = 0;
+    Sheet sheet = ui.flow(text, width, size, role, height);
+    ui.sheet("formula", std::move(sheet), width, height);
+  };
+  const std::string name = source.graph->name(v), formula = source.formula(v), numbers = source.numbers(v);
+  const std::string value = source.value_text(v);
+  say(name + " = " + formula, 1.1, Role::text);
+  if (numbers != formula && numbers != value) say("= " + numbers, 1, Role::text);
+  say("= " + value, 1.15, Role::text_current);
+  if (const std::string polar = source.polar(v); !polar.empty()) say("blossom value " + polar, 0.9, Role::text_quiet);
+}
+
+}  // namespace
+
+const Panel& panel_formula() {
+  static const Panel panel{"formula", "Formula", Slot::side, 20, draw};
+  return panel;
+}
+
+}  // namespace blossom

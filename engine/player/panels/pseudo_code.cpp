@@ -1,0 +1,30 @@
+// The algorithm's pseudo-code with the line of the step.
+#include "player/ui/panel.hpp"
+#include "player/ui/ui.hpp"
+
+namespace blossom {
+namespace {
+
+void draw(Ui& ui) {
+  const Session& session = *ui.player().session();
+  const double width = ui.units(ImGui::GetContentRegionAvail().x);
+  Sheet sheet;
+  const double height = add_pseudo_code(sheet, session.recording().source(), session.step(), ui.player().emphasis(), 6, 4,
+                                        width - 12);
+  ui.sheet("code", std::move(sheet), width, height);
+}
+
+double wanted(const Ui& ui, double) {
+  const Session& session = *ui.player().session();
+  const Algorithm& algorithm = session.recording().source().algorithm_at(session.step());
+  return 20.0 * static_cast<double>(algorithm.pseudo_code.size()) + 52;
+}
+
+}  // namespace
+
+const Panel& panel_pseudo_code() {
+  static const Panel panel{"code", "Code", Slot::side, 10, draw, nullptr, wanted};
+  return panel;
+}
+
+}  // namespace blossom

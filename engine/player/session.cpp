@@ -1,0 +1,182 @@
+#include "player/session.hpp"
+
+#include <chrono>
+
+namespace blossom {
+namespace {
+
+// While something is dragged, a run in fractions that takes longer than this is made in decimals; the fractions follow
+// when it is let go.
+constexpr double patient_seconds = 0.008;
+
+std::string phase_path_text(const TraceGraph& graph, std::uint32_t phase) {
+  std::string path;
+  for (const std::uint32_t outer : graph.phase_path(phase)) path += "/" + graph.phases()[outer].label();
+  return path;
+}
+
+}  // namespace
+
+Session::Session(Document document, bool exact)
+    : document_(std::move(document)), history_(document_.inputs), saved_(document_.inputs), exact_(exact) {}
+
+Checked<std::unique_ptr<Session>> Session::open(Document document, bool exact) {
+  std::unique_ptr<Session> session(new Session(std::move(document), exact));
+  if (auto wrong = session->record(session->inputs(), false); !wrong.empty()) return wrong;
+  return session;
+}
+
+Diagnostics Session::record(const Inputs<Exact>& inputs, bool in_gesture) {
+  const bool hurry = in_gesture && exact_seconds_ > patient_seconds;
+  if (exact_ && !exact_failed_ && !hurry) {
+    const auto begin = std::chrono::steady_clock::now();
+    auto made = Recording::make(algorithm(), inputs, true);
+    exact_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (made) {
+      take(std::move(*made));
+      return {};
+    }
+    exact_failed_ = true;
+  }
+  // What is too large for fractions may well be shown in decimals.
+  auto made = Recording::make(algorithm(), inputs, false);
+  if (!made) return made.diagnostics;
+  take(std::move(*made));
+  return {};
+}
+
+void Session::take(std::shared_ptr<const Recording> recording) {
+  auto timeline = std::make_unique<Timeline>(recording->graph());
+  if (timeline_) {
+    timeline->set_speed(timeline_->speed());
+    if (const auto loop = timeline_->loop(); loop && loop->first <= timeline->last())
+      timeline->set_loop(loop->first, loop->second);
+  }
+  const bool playing = timeline_ && timeline_->playing();
+  recording_ = std::move(recording);
+  timeline_ = std::move(timeline);
+  ++version_;
+  timeline_->seek(place_again());
+  if (playing && !timeline_->at_end()) timeline_->play();
+  beats_ = document_.lesson ? recording_->beats(*document_.lesson) : std::vector<Beat>();
+  set_bookmarks(std::move(bookmarks_));
+}
+
+void Session::remember_place() {
+  const TraceGraph& graph = recording_->graph();
+  const ValueId main = graph.main_value(step());
+  const std::uint32_t phase = graph.introduced_by(step());
+  place_ = {step() > 0 && main != absent ? graph.name(main) : "", phase != absent ? phase_path_text(graph, phase) : "",
+            step()};
+}
+
+std::uint32_t Session::place_again() const {
+  const TraceGraph& graph = recording_->graph();
+  if (!place_.value.empty())
+    if (const auto v = graph.find(place_.value)) return graph.value(*v).step;
+  if (!place_.phase.empty())
+    for (std::uint32_t phase = 0; phase < graph.phases().size(); ++phase)
+      if (phase_path_text(graph, phase) == place_.phase) return graph.phases()[phase].first_step;
+  return std::min(place_.step, graph.step_count() - 1);
+}
+
+bool Session::seek(const std::string& value) {
+  const auto v = recording_->graph().find(value);
+  return v && seek(recording_->graph().value(*v).step);
+}
+
+const Beat* Session::beat() const {
+  const auto found = std::lower_bound(beats_.begin(), beats_.end(), step(),
+                                      [](const Beat& b, std::uint32_t s) { return b.step < s; });
+  return found != beats_.end() && found->step == step() ? &*found : nullptr;
+}
+
+Session::Words Session::words() const {
+  const Beat* here = beat();
+  const std::string own = recording_->source().text(step());
+  const auto said = here != nullptr ? recording_->fill(here->say, step()) : std::nullopt;
+  if (!said) return {own, ""};
+  return edited() ? Words{own, *said} : Words{*said, ""};
+}
+
+void Session::set_bookmarks(std::vector<std::uint32_t> steps) {
+  std::erase_if(steps, [&](std::uint32_t s) { return s > last(); });
+  std::sort(steps.begin(), steps.end());
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  bookmarks_ = std::move(steps);
+  std::vector<std::uint32_t> marks = bookmarks_;
+  for (const Beat& beat : beats_) marks.push_back(beat.step);
+  if (!document_.lesson)  // the beginnings of its parts are the stations of what has no beats
+    for (const PhaseRecord& phase : recording_->graph().phases()) marks.push_back(phase.first_step);
+  timeline_->set_marks(std::move(marks));
+}
+
+void Session::toggle_bookmark() {
+  auto steps = bookmarks_;
+  if (std::erase(steps, step()) == 0) steps.push_back(step());
+  set_bookmarks(std::move(steps));
+}
+
+bool Session::edit(Edited edited, const std::string& what, const std::string& gesture) {
+  if (!edited) {
+    rejected_ = std::move(edited.diagnostics);
+    return false;
+  }
+  rejected_.clear();
+  if (*edited == inputs()) return true;
+  if (auto wrong = record(*edited, !gesture.empty()); !wrong.empty()) {
+    rejected_ = std::move(wrong);
+    return false;
+  }
+  history_.push(std::move(*edited), what, gesture);
+  stop_prediction();  // its questions were about other numbers
+  return true;
+}
+
+void Session::end_gesture() {
+  history_.end_gesture();
+  rejected_.clear();
+  if (exact_ && !exact_failed_ && !recording_->source().exact) record(inputs(), false);
+}
+
+bool Session::show_history() {
+  rejected_.clear();
+  stop_prediction();
+  record(inputs(), false);  // it could be recorded before
+  return true;
+}
+
+bool Session::undo() { return history_.undo() && show_history(); }
+bool Session::redo() { return history_.redo() && show_history(); }
+bool Session::revert() { return edit(Edited(document_.inputs), "all edits taken back"); }
+
+void Session::set_exact(bool exact) {
+  exact_ = exact;
+  exact_failed_ = false;
+  if (recording_->source().exact != exact) record(inputs(), false);
+}
+
+Diagnostics Session::reload(Document document) {
+  if (auto made = Recording::make(*document.algorithm, document.inputs, false); !made) return made.diagnostics;
+  if (document.algorithm != document_.algorithm) history_ = History<Inputs<Exact>>(document.inputs);
+  document_ = std::move(document);
+  if (!(document_.inputs == inputs())) history_.push(document_.inputs, "the file was changed on disk");
+  saved_ = inputs();
+  rejected_.clear();
+  stop_prediction();
+  return record(inputs(), false);
+}
+
+Diagnostics Session::start_prediction() {
+  std::shared_ptr<const Grader> grader = edited() ? nullptr : document_.grader;
+  if (!grader) {
+    auto made = practice_exercise(algorithm(), inputs(), document_.asks, document_.id(), document_.title());
+    if (!made) return made.diagnostics;
+    grader = std::move(*made);
+  }
+  prediction_ = std::make_unique<Prediction>(std::move(grader), document_.marking, recording_->graph());
+  seek(0);
+  return {};
+}
+
+}  // namespace blossom

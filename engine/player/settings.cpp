@@ -1,0 +1,279 @@
+#include "player/settings.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "base/scalar.hpp"
+#include "lesson/document.hpp"
+#include "player/kept_file.hpp"
+
+namespace blossom {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view settings_schema = "blossom.settings/1", progress_schema = "blossom.progress/1";
+constexpr JsonLimits settings_limits{1u << 20, 8, 10'000}, progress_limits{4u << 20, 8, 200'000};
+constexpr int most_steps = std::numeric_limits<int>::max();
+
+// ---- places ---------------------------------------------------------------------------------------------------------
+
+// "All paths set in these environment variables must be absolute. If an implementation encounters a relative path [...]
+// it should consider the path invalid and ignore it."
+fs::path absolute_from(const char* variable) {
+  const char* value = std::getenv(variable);
+  const fs::path path = value != nullptr ? value : "";
+  return path.is_absolute() ? path : fs::path();
+}
+
+fs::path xdg_folder(const char* variable, const char* below_home) {
+  if (const fs::path given = absolute_from(variable); !given.empty()) return given / "blossom";
+  const fs::path home = absolute_from("HOME");
+  return home.empty() ? home : home / below_home / "blossom";
+}
+
+fs::path settings_file(const Places& places) {
+  return places.config.empty() ? fs::path() : places.config / "settings.json";
+}
+fs::path progress_file(const Places& places) {
+  return places.state.empty() ? fs::path() : places.state / "progress.json";
+}
+
+// ---- settings -------------------------------------------------------------------------------------------------------
+
+// The one list of what is kept of the settings, with the bounds of each.
+template <class S, class Visitor>
+void visit(S& settings, Visitor&& visitor) {
+  visitor.theme("theme", settings.theme);
+  visitor.number("text_scale", settings.text_scale, 0.75, 3.0);
+  visitor.flag("exact", settings.exact);
+  visitor.flag("reduced_motion", settings.reduced_motion);
+  visitor.number("speed", settings.speed, 0.1, 10.0);
+  visitor.flag("snap", settings.snap);
+  visitor.flag("grid", settings.grid);
+  visitor.flag("perspective", settings.perspective);
+  visitor.number("side_share", settings.side_share, 0.2, 0.6);
+  visitor.number("lower_share", settings.lower_share, 0.2, 0.8);
+  visitor.number("width", settings.width, 320, 16384);
+  visitor.number("height", settings.height, 240, 16384);
+  visitor.files("recent", settings.recent);
+}
+
+bool is_known_theme(std::string_view name) { return std::ranges::find(known_themes, name) != known_themes.end(); }
+
+struct Bounding {
+  void theme(const char*, std::string& name) const {
+    if (!is_known_theme(name)) name = known_themes.front();
+  }
+  void flag(const char*, bool&) const {}
+  template <class T>
+  void number(const char*, T& value, T at_least, T at_most) const {
+    if (!(value >= at_least)) value = at_least;  // and what is not a number
+    if (value > at_most) value = at_most;
+  }
+  void files(const char*, std::vector<fs::path>& files) const {
+    std::vector<fs::path> kept;
+    for (fs::path& file : files)
+      if (!file.empty() && kept.size() < most_recent && std::ranges::find(kept, file) == kept.end())
+        kept.push_back(std::move(file));
+    files = std::move(kept);
+  }
+};
+
+struct Writing {
+  std::string text = "{\n  \"schema\": " + json_quote(settings_schema);
+
+  void add(const char* key, const std::string& value) { text += ",\n  " + json_quote(key) + ": " + value; }
+  void theme(const char* key, const std::string& name) { add(key, json_quote(name)); }
+  void flag(const char* key, bool value) { add(key, value ? "true" : "false"); }
+  void number(const char* key, double value, double, double) { add(key, format_number(value)); }
+  void number(const char* key, int value, int, int) { add(key, std::to_string(value)); }
+  void files(const char* key, const std::vector<fs::path>& files) {
+    std::string list;
+    for (const fs::path& file : files) list += (list.empty() ? "\n    " : ",\n    ") + json_quote(file.string());
+    add(key, list.empty() ? "[]" : "[" + list + "\n  ]");
+  }
+};
+
+// What is missing keeps its default, silently; what is wrong keeps it, with a diagnostic.
+struct Reading {
+  const Cursor& root;
+
+  void theme(const char* key, std::string& name) const {
+    const auto at = root.optional(key);
+    const auto text = at ? at->string() : std::nullopt;
+    if (!text) return;
+    if (is_known_theme(*text)) {
+      name = *text;
+      return;
+    }
+    const auto near = did_you_mean(*text, {known_themes.begin(), known_themes.end()});
+    at->error("no theme is called " + excerpt(*text) +
+              (near ? "; did you mean " + excerpt(*near) + "?" : "; there are light, dark and contrast"));
+  }
+  void flag(const char* key, bool& value) const {
+    if (const auto at = root.optional(key)) value = at->boolean().value_or(value);
+  }
+  void number(const char* key, double& value, double at_least, double at_most) const {
+    const auto at = root.optional(key);
+    const auto number = at ? at->number() : std::nullopt;
+    if (!number) return;
+    value = std::clamp(number->to_double(), at_least, at_most);
+    if (value != number->to_double())
+      at->error("must be from " + format_number(at_least) + " to " + format_number(at_most) + "; taken as " +
+                format_number(value));
+  }
+  void number(const char* key, int& value, int at_least, int at_most) const {
+    if (const auto at = root.optional(key)) value = at->integer(at_least, at_most).value_or(value);
+  }
+  // A path is not a text for people: it may have any characters but the one that ends it for the system.
+  void files(const char* key, std::vector<fs::path>& files) const {
+    const auto at = root.optional(key);
+    if (!at || !at->expect_array()) return;
+    for (std::size_t i = 0; i < at->size(); ++i) {
+      const Json& json = (*at)[i].json();
+      if (json.kind != Json::Kind::string || json.text.empty() || json.text.find('\0') != std::string::npos)
+        (*at)[i].error("must be the path of a file");
+      else
+        files.emplace_back(json.text);
+    }
+  }
+};
+
+// ---- progress -------------------------------------------------------------------------------------------------------
+
+Progress read_progress(const Cursor& at) {
+  Progress progress;
+  const auto steps = [&](const char* key, std::uint32_t& value) {
+    if (const auto here = at.optional(key))
+      value = static_cast<std::uint32_t>(here->integer(0, most_steps).value_or(static_cast<int>(value)));
+  };
+  steps("step", progress.step);
+  steps("last", progress.last);
+  steps("furthest", progress.furthest);
+  if (const auto here = at.optional("bookmarks"); here && here->expect_array())
+    for (std::size_t i = 0; i < here->size(); ++i)
+      if (const auto step = (*here)[i].integer(0, most_steps))
+        progress.bookmarks.push_back(static_cast<std::uint32_t>(*step));
+  if (const auto here = at.optional("best_score"))
+    if (const auto score = here->number()) {
+      if (*score < 0 || 1 < *score)
+        here->error("must be from 0 to 1, not " + score->to_string());
+      else
+        progress.best_score = score->to_double();
+    }
+  if (const auto here = at.optional("seen"))
+    if (const auto time = here->number()) {
+      // A double holds every millisecond of the next 285,000 years.
+      constexpr double latest = 9007199254740992.0;
+      progress.seen = static_cast<std::int64_t>(std::clamp(time->to_double(), 0.0, latest));
+    }
+  return progress;
+}
+
+std::string entry_text(const std::string& file, const Progress& progress) {
+  std::string bookmarks;
+  for (const std::uint32_t step : progress.bookmarks)
+    bookmarks += (bookmarks.empty() ? "" : ", ") + std::to_string(step);
+  std::string text = "    " + json_quote(file) + ": {\"step\": " + std::to_string(progress.step) +
+                     ", \"last\": " + std::to_string(progress.last) +
+                     ", \"furthest\": " + std::to_string(progress.furthest);
+  if (!bookmarks.empty()) text += ", \"bookmarks\": [" + bookmarks + "]";
+  if (progress.best_score >= 0) text += ", \"best_score\": " + format_number(std::min(progress.best_score, 1.0));
+  return text + ", \"seen\": " + std::to_string(progress.seen) + "}";
+}
+
+// What is in the file and what this player knows, as one. New entries are seen now, and after all that are in the file,
+// whatever the clock says.
+ProgressMap merged(ProgressMap kept, const ProgressMap& ours) {
+  using namespace std::chrono;
+  std::int64_t now = duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+  for (const auto& [file, progress] : kept) now = std::max(now, progress.seen + 1);
+  for (const auto& [file, progress] : ours) {
+    const auto other = kept.find(file);
+    if (progress.seen != 0 && other != kept.end() && other->second.seen > progress.seen) continue;
+    Progress& entry = kept[file] = progress;
+    if (entry.seen == 0) entry.seen = now;
+  }
+  return kept;
+}
+
+void forget_oldest(ProgressMap& map) {
+  if (map.size() <= most_progress) return;
+  std::vector<std::pair<std::int64_t, std::string>> by_time;
+  for (const auto& [file, progress] : map) by_time.emplace_back(progress.seen, file);
+  std::ranges::sort(by_time, std::greater());
+  for (std::size_t i = most_progress; i < by_time.size(); ++i) map.erase(by_time[i].second);
+}
+
+}  // namespace
+
+Places xdg_places() { return {xdg_folder("XDG_CONFIG_HOME", ".config"), xdg_folder("XDG_STATE_HOME", ".local/state")}; }
+
+Settings sane(Settings settings) {
+  visit(settings, Bounding());
+  return settings;
+}
+
+Settings load_settings(const Places& places, Diagnostics& diagnostics) {
+  Settings settings;
+  const auto document = read_kept(settings_file(places), settings_limits, diagnostics);
+  if (!document) return settings;
+  const Cursor root(*document, diagnostics);
+  if (!root.is(Json::Kind::object)) {
+    root.error("must be an object with the settings");
+    return settings;
+  }
+  expect_schema(root, settings_schema);
+  visit(settings, Reading{root});
+  return sane(std::move(settings));
+}
+
+Checked<bool> save_settings(const Places& places, const Settings& settings) {
+  Diagnostics wrong;
+  load_settings(places, wrong);
+  Writing writing;
+  const Settings kept = sane(settings);
+  visit(kept, writing);
+  return write_kept(settings_file(places), writing.text + "\n}\n", !wrong.empty());
+}
+
+ProgressMap load_progress(const Places& places, Diagnostics& diagnostics) {
+  ProgressMap map;
+  const auto document = read_kept(progress_file(places), progress_limits, diagnostics);
+  if (!document) return map;
+  const Cursor root(*document, diagnostics);
+  if (!root.is(Json::Kind::object)) {
+    root.error("must be an object with the places one was at");
+    return map;
+  }
+  expect_schema(root, progress_schema);
+  const auto files = root.required("files");
+  if (!files) return map;
+  if (!files->is(Json::Kind::object)) {
+    files->error("must be an object with a key for each file");
+    return map;
+  }
+  for (std::size_t i = 0; i < files->size(); ++i) {
+    if (files->member(i).is(Json::Kind::object))
+      map[files->json().keys[i]] = read_progress(files->member(i));
+    else
+      files->member(i).error("must be an object that says where one was");
+  }
+  forget_oldest(map);
+  return map;
+}
+
+Checked<bool> save_progress(const Places& places, const ProgressMap& ours) {
+  Diagnostics wrong;
+  ProgressMap map = merged(load_progress(places, wrong), ours);
+  forget_oldest(map);
+  std::string text = "{\n  \"schema\": " + json_quote(progress_schema) + ",\n  \"files\": {\n";
+  for (const auto& [file, progress] : map)
+    text += (file == map.begin()->first ? "" : ",\n") + entry_text(file, progress);
+  return write_kept(progress_file(places), text + "\n  }\n}\n", !wrong.empty());
+}
+
+}  // namespace blossom

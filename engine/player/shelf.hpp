@@ -1,0 +1,48 @@
+#pragma once
+// What the start page shows: the shipped lessons and exercises, loaded one after the other in the background so that
+// the window is there at once.
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "player/document.hpp"
+#include "player/recording.hpp"
+
+namespace blossom {
+
+struct ShelfItem {
+  std::filesystem::path file;
+  std::string id, title, unit, summary;
+  Document::Kind kind = Document::Kind::lesson;
+  int minutes = 0;
+  std::shared_ptr<const Recording> recording;  // for the thumbnail; in decimals
+  std::uint32_t telling_step = 0;              // whose picture tells most: the last of the triangle; a surface's last
+};
+
+class Shelf {
+ public:
+  // Begins to load; the folders may be missing. Other files in them than lessons and exercises are passed over.
+  Shelf(std::filesystem::path lessons, std::filesystem::path exercises);
+  ~Shelf();  // stops soon
+  Shelf(const Shelf&) = delete;
+
+  std::vector<std::shared_ptr<const ShelfItem>> items() const;  // those loaded so far, lessons first, by file name
+  Diagnostics diagnostics() const;                              // of files that are damaged
+  bool done() const;
+  std::uint64_t version() const;  // grows with every file and at the end: whether to draw anew
+  void wait();                    // until all are loaded
+
+ private:
+  void load(std::stop_token, std::filesystem::path lessons, std::filesystem::path exercises);
+  mutable std::mutex mutex_;
+  std::condition_variable loaded_;
+  std::vector<std::shared_ptr<const ShelfItem>> items_;
+  Diagnostics diagnostics_;
+  std::uint64_t version_ = 0;
+  bool done_ = false;
+  std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace blossom

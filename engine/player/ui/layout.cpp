@@ -1,0 +1,109 @@
+#include "player/ui/layout.hpp"
+
+#include <algorithm>
+
+namespace blossom {
+namespace {
+
+constexpr double gap = 6;            // between panels
+constexpr double least_side = 300;   // width
+constexpr double least_tabs = 170;   // height
+constexpr double least_main = 200;   // height, and width
+constexpr double roomy_height = 460; // of the side: enough for several panels above the tabs
+
+}  // namespace
+
+Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
+               const std::function<bool(const Panel&)>& relevant,
+               const std::function<double(const Panel&, double width)>& wanted) {
+  Layout layout;
+  const auto of_slot = [&](Slot slot) {
+    std::vector<const Panel*> found;
+    for (const Panel* panel : panels)
+      if (panel->slot == slot && relevant(*panel)) found.push_back(panel);
+    std::stable_sort(found.begin(), found.end(), [](const auto* a, const auto* b) { return a->order < b->order; });
+    return found;
+  };
+
+  double top = 0, bottom = wish.height;
+  for (const Panel* panel : of_slot(Slot::bar)) {
+    const double height = wanted(*panel, wish.width);
+    layout.placed.push_back({panel, {0, top, wish.width, height}});
+    top += height;
+  }
+  if (wish.page) {
+    for (const Panel* panel : of_slot(Slot::page)) layout.placed.push_back({panel, {0, top, wish.width, bottom - top}});
+    return layout;
+  }
+  const auto foot = of_slot(Slot::foot);
+  for (auto panel = foot.rbegin(); panel != foot.rend(); ++panel) {
+    // The words below the picture may take a third of what there is.
+    const double height = std::min(wanted(**panel, wish.width), std::max((bottom - top) / 3, 56.0));
+    bottom -= height;
+    layout.placed.push_back({*panel, {0, bottom, wish.width, height}});
+  }
+  bottom -= gap;
+  top += gap;
+
+  // The side, unless the window is too narrow for two columns.
+  const double room = wish.width - 3 * gap;
+  const double side_width = std::clamp(wish.side_share * room, least_side, std::max(least_side, room - least_main));
+  const bool has_side = room - side_width >= least_main;
+  const double main_width = has_side ? room - side_width : room + gap;
+  double main_bottom = bottom;
+
+  auto stacked = of_slot(Slot::side);
+  layout.tabbed = of_slot(Slot::tabs);
+  const double side_height = bottom - top;
+  if (!has_side || side_height < roomy_height) {  // all of them are tabs
+    layout.tabbed.insert(layout.tabbed.begin(), stacked.begin(), stacked.end());
+    stacked.clear();
+  }
+  if (has_side) {
+    const double x = gap + main_width + gap;
+    layout.side = {x, top, side_width, side_height};
+    layout.side_x = x - gap;
+    double y = top;
+    const double lower =
+        stacked.empty() ? side_height
+                        : std::clamp(wish.lower_share * side_height, least_tabs, std::max(least_tabs, side_height - 120));
+    double left = side_height - lower;
+    for (std::size_t i = 0; i < stacked.size(); ++i) {
+      const double wish_height = wanted(*stacked[i], side_width);
+      const bool last = i + 1 == stacked.size();
+      const double height = last ? left : std::min(wish_height, left * 0.62);
+      layout.placed.push_back({stacked[i], {x, y, side_width, std::max(height - gap, 0.0)}});
+      y += height;
+      left -= height;
+    }
+    layout.lower_y = y;
+    layout.tabs = {x, y, side_width, bottom - y};
+  } else {
+    // One column: the picture above, the tabs below it.
+    const double tabs_height = std::max(least_tabs, side_height * 0.45);
+    main_bottom = bottom - tabs_height - gap;
+    layout.tabs = {gap, main_bottom + gap, wish.width - 2 * gap, tabs_height};
+  }
+
+  // The strip takes at most 40 % of the picture's height, its last panels going first.
+  const auto strip = of_slot(Slot::strip);
+  double strip_room = (main_bottom - top) * 0.42;
+  std::vector<std::pair<const Panel*, double>> kept;
+  for (const Panel* panel : strip) {
+    const double height = std::min(wanted(*panel, main_width), strip_room);
+    if (height < panel->least) continue;
+    kept.emplace_back(panel, height);
+    strip_room -= height;
+  }
+  std::stable_sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.first->order < b.first->order; });
+  // Kept by importance (order), stacked from the bottom: the most important stands lowest.
+  for (const auto& [panel, height] : kept) {
+    main_bottom -= height;
+    layout.placed.push_back({panel, {gap, main_bottom, main_width, height}});
+  }
+  for (const Panel* panel : of_slot(Slot::main))
+    layout.placed.push_back({panel, {gap, top, main_width, main_bottom - top - (kept.empty() ? 0 : gap)}});
+  return layout;
+}
+
+}  // namespace blossom

@@ -1,0 +1,366 @@
+#include "player/ui/ui.hpp"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "player/action.hpp"
+#include "render/painter.hpp"
+#include "render/picture.hpp"
+
+namespace blossom {
+
+Ui::Ui(Player& player, std::unique_ptr<GlCanvas> canvas, std::shared_ptr<const Fonts> fonts)
+    : player_(&player), canvas_(std::move(canvas)), fonts_(std::move(fonts)) {
+  context_ = ImGui::CreateContext();
+  ImGui::SetCurrentContext(context_);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // where panels stand is computed, not remembered
+  io.LogFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+  io.ConfigInputTextCursorBlink = false;  // a blinking cursor would be a reason to draw twice a second
+  io.KeyRepeatDelay = 0.3f;
+  set_key_map(io);
+  // Only through us: ImGui's own clipboard talks to no window.
+  io.ClipboardUserData = this;
+  io.SetClipboardTextFn = [](void* ui, const char* text) { static_cast<Ui*>(ui)->player_->desk().set_clipboard(text); };
+  io.GetClipboardTextFn = [](void* ui) {
+    static thread_local std::string text;
+    text = static_cast<Ui*>(ui)->player_->desk().clipboard();
+    return text.c_str();
+  };
+}
+
+Checked<std::unique_ptr<Ui>> Ui::create(Player& player, const GlFunctions& gl, bool is_es,
+                                        std::shared_ptr<const Fonts> fonts) {
+  auto canvas = GlCanvas::create(gl, is_es, fonts);
+  if (!canvas) return canvas.diagnostics;
+  return std::unique_ptr<Ui>(new Ui(player, std::move(*canvas), std::move(fonts)));
+}
+
+Ui::~Ui() {
+  ImGui::SetCurrentContext(context_);
+  ImGui::DestroyContext(context_);
+}
+
+void Ui::resize(int width, int height, double pixels_per_unit) {
+  width_ = std::max(width, 1);
+  height_ = std::max(height, 1);
+  pixels_per_unit_ = pixels_per_unit;
+  redraw();
+}
+
+bool Ui::wants_frame() const { return frames_wanted_ > 0 || !events_.empty() || player_->animating(); }
+
+bool Ui::wants_text() const { return context_->IO.WantTextInput; }
+
+void Ui::act(std::string_view action) {
+  send([action](Player& player) { perform(player, action); });
+}
+
+// ---- a frame --------------------------------------------------------------------------------------------------------
+
+void Ui::frame(double seconds, bool drawn) {
+  ImGui::SetCurrentContext(context_);
+  const auto theme = find_theme(player_->settings.theme);
+  const Theme* wanted = theme ? *theme : &light_theme();
+  const double scale = pixels_per_unit_ * player_->settings.text_scale;
+  if (fonts_scale_ != scale || theme_ != wanted) {
+    scale_ = scale;
+    theme_ = wanted;
+    if (fonts_scale_ != scale) make_fonts();
+    make_style();
+  }
+  if (frames_wanted_ > 0) --frames_wanted_;
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(width_), static_cast<float>(height_)};
+  io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 0.2));
+  take_events();
+  ImGui::NewFrame();
+  things_.clear();
+  pictures_.clear();
+  hovered_ = {};
+  hovered_panel_.clear();
+  draw_panels();
+  draw_menu();
+  ImGui::Render();
+  cursor_ = ImGui::GetMouseCursor();
+  if (hovered_ != player_->hovered()) {
+    send([link = hovered_, panel = hovered_panel_](Player& player) { player.hover(link, panel); });
+    redraw();
+  }
+  if (drawn) paint();
+  // What was sent is seen in the next frame.
+  if (!sent_.empty()) redraw();
+  for (const auto& what : std::exchange(sent_, {})) what(*player_);
+}
+
+void Ui::paint() {
+  const ImDrawData& data = *ImGui::GetDrawData();
+  Frame frame;
+  frame.width = width_;
+  frame.height = height_;
+  frame.background = (*theme_)[Role::panel].color;
+  frame.title = "Blossom";
+  canvas_->begin(frame);
+  std::vector<ImageVertex> vertices;
+  for (int i = 0; i < data.CmdListsCount; ++i) {
+    const ImDrawList& list = *data.CmdLists[i];
+    vertices.clear();
+    for (const ImDrawVert& v : list.VtxBuffer) {
+      const auto channel = [&](int shift) { return static_cast<std::uint8_t>(v.col >> shift); };
+      vertices.push_back({v.pos.x, v.pos.y, v.uv.x, v.uv.y,
+                          {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT), channel(IM_COL32_B_SHIFT),
+                           channel(IM_COL32_A_SHIFT)}});
+    }
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+      const PixelRect clip{command.ClipRect.x, command.ClipRect.y, command.ClipRect.z - command.ClipRect.x,
+                           command.ClipRect.w - command.ClipRect.y};
+      if (command.UserCallback != nullptr) {
+        const auto number = reinterpret_cast<std::uintptr_t>(command.UserCallbackData);
+        if (number >= pictures_.size()) continue;
+        const Placement& picture = pictures_[number];
+        paint_view(picture.view, *theme_, *fonts_, *canvas_, scale_, picture.origin, clip);
+        continue;
+      }
+      // The vertices of a list are few enough for 16-bit indices from its first one on.
+      canvas_->image_triangles(std::span<const ImageVertex>(vertices).subspan(command.VtxOffset),
+                               {list.IdxBuffer.Data + command.IdxOffset, command.ElemCount}, clip);
+    }
+  }
+  canvas_->finish();
+}
+
+Checked<bool> Ui::save_picture(const Scene& scene, const std::filesystem::path& file) {
+  if (file.extension() == ".svg") {
+    const auto text = draw_svg(scene, *theme_);
+    return text ? write_file(file, *text) : Checked<bool>(text.diagnostics);
+  }
+  if (file.extension() != ".png")
+    return Diagnostics{{file.string(), 0, 0, "", "a picture's name must end in .png or .svg"}};
+  const double scale = 2;  // sharp on paper and on dense screens
+  if (const auto frame = frame_of(scene, *theme_, scale, canvas_->max_size()); !frame) return frame.diagnostics;
+  blossom::paint(scene, *theme_, *fonts_, *canvas_, scale);
+  const auto image = canvas_->read();
+  redraw();
+  return image ? write_png(file, *image, scene.title, scene.description) : Checked<bool>(image.diagnostics);
+}
+
+// ---- windows of panels ----------------------------------------------------------------------------------------------
+
+void Ui::draw_panels() {
+  const auto relevant = [&](const Panel& panel) {
+    if (panel.slot != Slot::bar && panel.slot != Slot::page && panel.slot != Slot::float_ && player_->session() == nullptr)
+      return false;
+    return panel.relevant == nullptr || panel.relevant(*player_);
+  };
+  const auto wanted = [&](const Panel& panel, double at_width) {
+    return panel.height != nullptr ? panel.height(*this, at_width) : 200.0;
+  };
+  LayoutWish wish{width(), height(), player_->settings.side_share, player_->settings.lower_share,
+                  player_->session() == nullptr};
+  const Layout layout = lay_out(wish, panels(), relevant, wanted);
+  for (const Placed& placed : layout.placed) draw_window(*placed.panel, placed.rect);
+  if (!layout.tabbed.empty() && layout.tabs.height > 0) draw_tabs(layout);
+  if (player_->session() != nullptr) draw_splitters(layout);
+  for (const Panel* panel : panels())
+    if (panel->slot == Slot::float_ && relevant(*panel)) panel->draw(*this);
+}
+
+namespace {
+
+constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                   ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+}  // namespace
+
+void Ui::draw_window(const Panel& panel, const PixelRect& rect) {
+  ImGui::SetNextWindowPos({std::round(px(rect.x)), std::round(px(rect.y))});
+  ImGui::SetNextWindowSize({std::round(px(rect.width)), std::round(px(rect.height))});
+  const bool edge = panel.slot == Slot::bar || panel.slot == Slot::foot || panel.slot == Slot::page;
+  ImGuiWindowFlags flags = fixed;
+  if (!panel.widgets) flags |= ImGuiWindowFlags_NoNavInputs;
+  if (edge) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    if (panel.slot != Slot::page) ImGui::PushStyleColor(ImGuiCol_WindowBg, color(Role::panel));
+  }
+  const bool bare = panel.slot == Slot::main || panel.slot == Slot::strip;
+  if (bare) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  const std::string id(panel.id);
+  if (focus_request_ == id) {
+    ImGui::SetNextWindowFocus();
+    focus_request_.clear();
+  }
+  if (ImGui::Begin(id.c_str(), nullptr, flags)) {
+    if (ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) && ImGui::IsMouseClicked(0) && player_->focus != id)
+      send([id](Player& player) { player.focus = id; });
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    thing("panel " + id, low, {low.x + size.x, low.y + size.y});
+    panel.draw(*this);
+    if (player_->focus == id && ImGui::GetIO().NavVisible)
+      ImGui::GetForegroundDrawList()->AddRect(low, {low.x + size.x, low.y + size.y}, color(Role::focus), px(6), 0, px(2));
+  }
+  ImGui::End();
+  if (bare) ImGui::PopStyleVar();
+  if (edge) {
+    ImGui::PopStyleVar(2);
+    if (panel.slot != Slot::page) ImGui::PopStyleColor();
+  }
+}
+
+void Ui::draw_tabs(const Layout& layout) {
+  const PixelRect& rect = layout.tabs;
+  ImGui::SetNextWindowPos({std::round(px(rect.x)), std::round(px(rect.y))});
+  ImGui::SetNextWindowSize({std::round(px(rect.width)), std::round(px(rect.height))});
+  const Panel* active = layout.tabbed.front();
+  for (const Panel* panel : layout.tabbed)
+    if (panel->id == player_->tab) active = panel;
+  ImGuiWindowFlags flags = fixed;
+  if (!active->widgets) flags |= ImGuiWindowFlags_NoNavInputs;
+  if (focus_request_ == active->id) {
+    ImGui::SetNextWindowFocus();
+    focus_request_.clear();
+  }
+  if (ImGui::Begin("tabs", nullptr, flags)) {
+    if (ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) && ImGui::IsMouseClicked(0) && player_->focus != active->id)
+      send([id = std::string(active->id)](Player& player) { player.focus = id; });
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    thing("panel " + std::string(active->id), low, {low.x + size.x, low.y + size.y});
+    // Our own tabs: Dear ImGui's remember which is active, and that is the player's to know. They wrap.
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(4), px(4)});
+    for (std::size_t i = 0; i < layout.tabbed.size(); ++i) {
+      const Panel* panel = layout.tabbed[i];
+      const std::string title(panel->title);
+      const float width = ImGui::CalcTextSize(title.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+      if (i > 0) {
+        ImGui::SameLine();
+        if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
+      }
+      const bool is_active = panel == active;
+      if (is_active) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_TabActive));
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      if (button(title.c_str(), "tab " + std::string(panel->id)))
+        send([id = std::string(panel->id)](Player& player) { player.tab = player.focus = id; });
+      if (is_active) {
+        ImGui::PopStyleColor();
+        const float bottom = at.y + ImGui::GetFrameHeight();
+        ImGui::GetWindowDrawList()->AddRectFilled({at.x, bottom - px(2.5)}, {at.x + width, bottom}, color(Role::current));
+      }
+    }
+    ImGui::PopStyleVar();
+    active->draw(*this);
+    if (player_->focus == active->id && ImGui::GetIO().NavVisible)
+      ImGui::GetForegroundDrawList()->AddRect(low, {low.x + size.x, low.y + size.y}, color(Role::focus), px(6), 0, px(2));
+  }
+  ImGui::End();
+}
+
+void Ui::draw_splitters(const Layout& layout) {
+  const auto splitter = [&](const char* name, ImVec2 low, ImVec2 high, ImGuiMouseCursor shape, auto&& moved) {
+    ImGui::SetNextWindowPos(low);
+    ImGui::SetNextWindowSize({high.x - low.x, high.y - low.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    if (ImGui::Begin(name, nullptr, fixed | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav)) {
+      ImGui::InvisibleButton("grip", {high.x - low.x, high.y - low.y});
+      thing(name);
+      const bool held = ImGui::IsItemActive();
+      if (held || ImGui::IsItemHovered()) {
+        ImGui::SetMouseCursor(shape);
+        ImGui::GetForegroundDrawList()->AddRectFilled(low, high, color(Role::current, held ? 0.8 : 0.4), px(3));
+      }
+      if (held) moved(ImGui::GetIO().MousePos);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(3);
+  };
+  if (layout.side.width <= 0) return;
+  const PixelRect side = layout.side;
+  splitter("splitter side", {px(side.x - 6), px(side.y)}, {px(side.x), px(side.bottom())}, ImGuiMouseCursor_ResizeEW,
+           [&](ImVec2 at) {
+             const double share = (side.right() - units(at.x)) / std::max(width() - 18, 1.0);
+             send([share](Player& player) {
+               player.settings.side_share = share;
+               player.settings = sane(player.settings);
+             });
+           });
+  if (layout.lower_y > side.y)
+    splitter("splitter tabs", {px(side.x), px(layout.lower_y - 6)}, {px(side.right()), px(layout.lower_y)},
+             ImGuiMouseCursor_ResizeNS, [&](ImVec2 at) {
+               const double share = (side.bottom() - units(at.y)) / side.height;
+               send([share](Player& player) {
+                 player.settings.lower_share = share;
+                 player.settings = sane(player.settings);
+               });
+             });
+}
+
+// ---- sheets ---------------------------------------------------------------------------------------------------------
+
+ImVec2 Ui::picture(View view, double width, double height, std::string_view name) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 origin{std::round(at.x), std::round(at.y)};
+  ImGui::Dummy({px(width), px(height)});
+  if (!name.empty()) thing(std::string(name));
+  if (!ImGui::IsItemVisible()) return origin;
+  // The callback of ImGui's list is only a mark with the picture's number: paint() finds it.
+  const auto mark = [](const ImDrawList*, const ImDrawCmd*) {};
+  ImGui::GetWindowDrawList()->AddCallback(mark, reinterpret_cast<void*>(static_cast<std::uintptr_t>(pictures_.size())));
+  pictures_.push_back({std::move(view), {origin.x, origin.y}});
+  return origin;
+}
+
+const Spot* Ui::sheet(std::string_view panel, Sheet sheet, double width, double height, const SheetOptions& options) {
+  sheet.view.width = width;
+  sheet.view.height = height;
+  kept_spots_ = std::move(sheet.spots);
+  const ImVec2 at = picture(std::move(sheet.view), width, height, "");
+  const bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && ImGui::IsWindowHovered();
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const Spot* found = nullptr;
+  std::vector<Spot> in_pixels;
+  for (const Spot& spot : kept_spots_) {
+    const ImVec2 low{at.x + px(spot.x), at.y + px(spot.y)}, high{low.x + px(spot.width), low.y + px(spot.height)};
+    if (!spot.name.empty() && ImGui::IsRectVisible(low, high)) thing(std::string(panel) + " " + spot.name, low, high);
+    if (over && mouse.x >= low.x && mouse.x < high.x && mouse.y >= low.y && mouse.y < high.y) found = &spot;
+    in_pixels.push_back({spot.link, low.x, low.y, high.x - low.x, high.y - low.y, spot.name});
+    if (keyboard_in(panel) && spot.link == player_->focused && player_->focused)
+      ImGui::GetForegroundDrawList()->AddRect({low.x - px(2), low.y - px(2)}, {high.x + px(2), high.y + px(2)},
+                                              color(Role::focus), px(4), 0, px(2));
+  }
+  auto& spots = sheet_spots_[std::string(panel)];
+  spots = std::move(in_pixels);
+  if (found == nullptr) return nullptr;
+  hovered_ = found->link;
+  hovered_panel_ = panel;
+  if (!options.clickable) return found;
+  if (ImGui::IsMouseClicked(1)) {
+    open_menu(found->link);
+  } else if (ImGui::IsMouseDoubleClicked(0) && found->link.kind == Link::Kind::value) {
+    send([v = found->link.id](Player& player) { player.seek(player.session()->recording().graph().value(v).step); });
+  } else if (ImGui::IsMouseReleased(0) && ImGui::GetIO().MouseDragMaxDistanceSqr[0] < 9 * scale_ * scale_) {
+    send([link = found->link](Player& player) { player.pin(link); });
+  }
+  return found;
+}
+
+void Ui::open_menu(const Link& link) {
+  menu_link_ = link;
+  menu_requested_ = true;
+}
+
+void Ui::thing(const std::string& name) { thing(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
+
+void Ui::thing(const std::string& name, const ImVec2& low, const ImVec2& high) {
+  things_[name] = {low.x, low.y, static_cast<double>(high.x) - low.x, static_cast<double>(high.y) - low.y};
+}
+
+}  // namespace blossom

@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scene/panel_parts.hpp"
+#include "scene/panels.hpp"
+#include "scene/typeset.hpp"
+
+namespace blossom {
+namespace {
+
+// How many lines a text takes at a width, in characters of about half an em: enough to reserve space. Lines that are
+// broken at blanks are about seven eighths full.
+int lines_of(std::size_t characters, double width, double size) {
+  const double per_line = std::max(8.0, width / (size * 0.6));
+  const auto count = static_cast<double>(characters);
+  return count <= per_line ? 1 : static_cast<int>(std::ceil(count / (per_line * 0.875)));
+}
+
+std::size_t characters(const RichText& runs) {
+  std::size_t count = 0;
+  for (const TextRun& run : runs) count += run.text.size();
+  return count;
+}
+
+}  // namespace
+
+double add_formula(Sheet& sheet, const StepSource& source, std::uint32_t step, double x, double y, double width,
+                   double height) {
+  View& view = sheet.view;
+  const ValueId v = source.graph->main_value(step);
+  if (v == absent || source.graph->is_input(v)) return 0;
+  const Algorithm& algorithm = source.algorithm_at(step);
+  double at = y + parts::heading(view, x, y, "This step");
+  const auto shortened = [](std::string words) {
+    const std::size_t most = 220;  // a knot vector of hundreds of knots is not for this box
+    return words.size() <= most ? words : words.substr(0, most) + " ...";
+  };
+  const std::string formula = source.formula(v);
+  const std::string numbers = source.numbers(v);
+  const std::string value = shortened(source.value_text(v));
+
+  RichText result = typeset_name(source.graph->value(v).name, algorithm);
+  result.push_back({" = " + value});
+  const std::size_t letters = characters(result) + 2;
+  const double size = lines_of(letters, width, 14 * 1.05) > 2 ? 0.85 : 1.05;
+  parts::text(view, x, at + 15, std::move(result), Role::text_current, size).max_width = width;
+  at += 21 * size * lines_of(letters, width, 15.7 * size) + 4;
+
+  // One label, so that its lines cannot run into each other however they wrap.
+  std::vector<std::string> lines{"= " + shortened(formula)};
+  if (numbers != formula && numbers != source.value_text(v)) lines.push_back("= " + shortened(numbers));
+  if (const std::string polar = source.polar(v); !polar.empty()) lines.push_back("blossom value " + polar);
+  std::string from;
+  const double from_at = at;
+  for (const std::string& line : lines) {
+    const double needed = 19 * lines_of(line.size(), width, 14 * 0.9);
+    if (at + needed > y + height) break;
+    from += (from.empty() ? "" : "\n") + line;
+    at += needed;
+  }
+  if (!from.empty())
+    parts::text(view, x, from_at + 14, typeset_text(from, algorithm), Role::text, 0.9).max_width = width;
+  return at - y + 12;
+}
+
+}  // namespace blossom

@@ -1,0 +1,18 @@
+#pragma once
+// What geometry stands on: coordinate grids with their numbers.
+
+#include "scene/display_list.hpp"
+#include "scene/scene_samples.hpp"
+
+namespace blossom {
+
+// 1, 2 or 5 times a power of ten: about `count` steps over `length`.
+double nice_step(double length, double count);
+
+// Of a plane camera: all over the view, wherever it is; the numbers stand at its left and lower edge.
+void add_plane_grid(View&);
+
+// Of an orbit camera: a piece of a plane z = constant under the bounds, with arrows for x, y and z.
+void add_ground_grid(View&, const Bounds&);
+
+}  // namespace blossom

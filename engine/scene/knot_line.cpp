@@ -1,0 +1,168 @@
+#include <algorithm>
+#include <array>
+
+#include "scene/panel_parts.hpp"
+#include "scene/panels.hpp"
+
+namespace blossom {
+namespace {
+
+using parts::Box;
+
+constexpr double margin = 40;                        // left and right of the axis
+constexpr double line_at = 24, height = 56;          // of the line in the panel; of the panel
+constexpr std::array<double, 2> label_rows{18, 29};  // below the line
+constexpr double label_size = 0.72;
+constexpr double reach = 8;  // of a knot's spot around the line
+
+struct Knot {
+  std::size_t first = 0, count = 0;
+  double at = 0;
+  RichText label;
+};
+
+// The values U[i] of a curve, or U[l][i] of several: they are given at the first step.
+std::vector<ValueId> knot_values(const StepSource& source, std::size_t curve, std::size_t count) {
+  std::vector<ValueId> found(count, absent);
+  const TraceGraph& graph = *source.graph;
+  const int arity = source.curves.size() > 1 ? 2 : 1;
+  const auto [begin, end] = graph.values_of(0);
+  for (ValueId v = begin; v < end; ++v) {
+    const Name& name = graph.value(v).name;
+    if (!(name.symbol == Symbol::of("U")) || name.arity != arity) continue;
+    if (arity == 2 && name.index[0] != static_cast<int>(curve)) continue;
+    if (const auto i = static_cast<std::size_t>(name.index[arity - 1]); i < count) found[i] = v;
+  }
+  return found;
+}
+
+ValueId given_u(const StepSource& source) {
+  const auto [begin, end] = source.graph->values_of(0);
+  for (ValueId v = begin; v < end; ++v)
+    if (source.graph->value(v).name == "u"_v()) return v;
+  return absent;
+}
+
+// The number as the run writes it (1/4, not 0.25), if that is short.
+std::string number(const StepSource& source, ValueId v, double value) {
+  std::string exact = v != absent ? source.value_text(v) : std::string();
+  return exact.empty() || exact.size() > 8 ? format_short(value, 4) : exact;
+}
+
+// Labels one beside the other in two rows; the ends of the axis first; what then has no room is left out.
+void set_labels(View& view, const std::vector<Knot>& knots, double line, double left, double right) {
+  std::array<std::vector<Box>, label_rows.size()> taken;
+  const auto place = [&](const Knot& knot) {
+    const double width = parts::width_of(knot.label, Role::text_quiet, label_size);
+    const double x = std::clamp(knot.at, left + width / 2, std::max(left + width / 2, right - width / 2));
+    for (std::size_t row = 0; row < taken.size(); ++row) {
+      const Box box{x - width / 2, line + label_rows[row] - 8, width, 10};
+      if (std::ranges::any_of(taken[row], [&](const Box& other) { return box.meets(other, 3); })) continue;
+      parts::text(view, x, line + label_rows[row], knot.label, Role::text_quiet, label_size, Label::Placement::centre);
+      taken[row].push_back(box);
+      return;
+    }
+  };
+  place(knots.front());
+  if (knots.size() > 1) place(knots.back());
+  for (std::size_t i = 1; i + 1 < knots.size(); ++i) place(knots[i]);
+}
+
+// The span k, once it is known.
+std::optional<std::size_t> span_of(const StepSource& source, std::uint32_t step) {
+  const TraceGraph& graph = *source.graph;
+  if (source.algorithm->spec("k"_v()) == nullptr) return std::nullopt;
+  for (ValueId v = 0; v < graph.value_count() && graph.value(v).step <= step; ++v)
+    if (graph.value(v).name == "k"_v() && graph.scope(v).empty()) return static_cast<std::size_t>(source.scalars[v]);
+  return std::nullopt;
+}
+
+// What a ratio measures: u between two knots.
+void add_ratio(View& view, const StepSource& source, std::uint32_t step, const KnotAxis& axis, double line) {
+  const ValueId main = source.graph->main_value(step);
+  if (main == absent || source.graph->value(main).rule != &rule_info<Ratio> || !source.graph->scope(main).empty())
+    return;
+  const auto from = source.graph->operands(main);
+  const double u = axis.place(source.scalars[from[0]]);
+  const double a = axis.place(source.scalars[from[1]]);
+  const double b = axis.place(source.scalars[from[2]]);
+  parts::stroke(view, {{a, line - 6, 0}, {b, line - 6, 0}}, Role::ratio_far);
+  parts::stroke(view, {{a, line - 6, 0}, {u, line - 6, 0}}, Role::ratio_near);
+}
+
+// One rectangle each, without overlaps: neighbours share the room between them, and u goes before the knot it is at.
+void add_spots(Sheet& sheet, const std::vector<Knot>& knots, const std::optional<Box>& u, double y, double line) {
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    const double at = knots[i].at;
+    const double widest = std::max(9.0, parts::width_of(knots[i].label, Role::text_quiet, label_size) / 2);
+    const double before = i > 0 ? std::min(widest, (at - knots[i - 1].at) / 2) : widest;
+    const double after = i + 1 < knots.size() ? std::min(widest, (knots[i + 1].at - at) / 2) : widest;
+    Box box{at - before, line - reach, before + after, 0};
+    if (u && box.x < u->right() && u->x < box.right()) box.y = u->bottom();
+    box.height = y + height - box.y;
+    sheet.spots.push_back({{Link::Kind::knot, static_cast<std::uint32_t>(knots[i].first)},
+                           box.x,
+                           box.y,
+                           box.width,
+                           box.height,
+                           "knot " + std::to_string(knots[i].first)});
+  }
+  if (u) sheet.spots.push_back({{Link::Kind::parameter, 0}, u->x, u->y, u->width, u->height, "u"});
+}
+
+}  // namespace
+
+std::optional<KnotAxis> knot_axis(const StepSource& source, std::size_t curve, double x, double width) {
+  if (curve >= source.curves.size()) return std::nullopt;
+  const auto& knots = source.curves[curve].knots;
+  if (knots.empty() || !(knots.front() < knots.back())) return std::nullopt;
+  return KnotAxis{knots.front(), knots.back(), x + margin, x + width - margin};
+}
+
+double add_knot_line(Sheet& sheet, const StepSource& source, std::uint32_t step, const Emphasis& emphasis, double x,
+                     double y, double width, std::size_t which, bool always) {
+  const auto axis = knot_axis(source, which, x, width);
+  if (!axis || (source.curves[which].bezier && !always)) return 0;
+  const auto& curve = source.curves[which];
+  View& view = sheet.view;
+  const double line = y + line_at;
+  parts::text(view, x, line + 4, {{"U", TextRun::Level::base, true}}, Role::text_quiet, 0.9);
+  parts::stroke(view, {{axis->left, line, 0}, {axis->right, line, 0}}, Role::rule_line);
+  parts::stroke(view, {{axis->place(curve.domain_begin()), line, 0}, {axis->place(curve.domain_end()), line, 0}},
+                Role::polygon);
+  if (const auto k = span_of(source, step); k && *k + 1 < curve.knots.size())
+    parts::stroke(view, {{axis->place(curve.knots[*k]), line, 0}, {axis->place(curve.knots[*k + 1]), line, 0}},
+                  Role::current);
+
+  const auto values = knot_values(source, which, curve.knots.size());
+  std::vector<Knot> knots;
+  for (std::size_t i = 0; i < curve.knots.size(); i += knots.back().count) {
+    Knot knot{i, 1, axis->place(curve.knots[i]), {}};
+    while (i + knot.count < curve.knots.size() && curve.knots[i + knot.count] == curve.knots[i]) ++knot.count;
+    knot.label = {{std::to_string(knot.count) + "(" + number(source, values[i], curve.knots[i]) + ")"}};
+    bool lit = false;
+    for (std::size_t j = i; j < i + knot.count; ++j) lit = lit || (values[j] != absent && emphasis.lights(values[j]));
+    if (lit) view.markers.push_back({{knot.at, line, 0}, Role::highlight, Marker::Shape::ring, 1});
+    view.markers.push_back({{knot.at, line, 0}, Role::control_point, Marker::Shape::triangle, 0.9});
+    knots.push_back(std::move(knot));
+  }
+  set_labels(view, knots, line, x, x + width);
+  add_ratio(view, source, step, *axis, line);
+
+  std::optional<Box> handle;
+  if (source.parameter && source.curves.size() == 1) {
+    const double at = axis->place(*source.parameter);
+    view.markers.push_back({{at, line, 0}, Role::current, Marker::Shape::diamond, 1});
+    RichText words{{"u", TextRun::Level::base, true}, {" = " + number(source, given_u(source), *source.parameter)}};
+    const double half = parts::width_of(words, Role::text_current, 0.85) / 2;
+    const double middle = std::clamp(at, x + half, std::max(x + half, x + width - half));
+    Label& label =
+        parts::text(view, middle, line - 11, std::move(words), Role::text_current, 0.85, Label::Placement::centre);
+    label.priority = 10;
+    handle = Box{at - 9, y, 18, line_at + reach};
+  }
+  add_spots(sheet, knots, handle, y, line);
+  return height;
+}
+
+}  // namespace blossom
