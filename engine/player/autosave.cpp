@@ -1,9 +1,10 @@
-#include <signal.h>
+#include <sys/types.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <csignal>
 #include <fstream>
 #include <limits>
 #include <system_error>

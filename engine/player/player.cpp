@@ -59,6 +59,10 @@ bool Player::open(Document document) {
   glide_.reset();
   curve = 0;
   open_phases.clear();
+  draft_ = {};
+  chosen_question_.reset();
+  predicted_place.reset();
+  held_.reset();
   motion_ = 1;
   dialog = Dialog::none;
   tab = session_->document().kind == Document::Kind::exercise ? "predict" : "tableau";
@@ -97,6 +101,7 @@ void proceed_after_unsaved(Player& player) {
 void Player::close() {
   remember_progress();
   session_.reset();
+  held_.reset();
   watch_ = FileWatch();
   dismiss_problems();
   dialog = Dialog::none;
@@ -209,6 +214,59 @@ void Player::glide_to(const std::optional<Camera>& to) {
   camera_ = from;
 }
 
+// ---- predicting -----------------------------------------------------------------------------------------------------
+
+void Player::stay_before_question() {
+  if (!session_ || session_->prediction() == nullptr || !session_->prediction()->veiled(session_->step())) return;
+  const Prediction& prediction = *session_->prediction();
+  // One waits at the last step that gives nothing away.
+  const std::size_t first = prediction.marking() == Marking::at_end ? 0 : *prediction.open();
+  const Question& question = prediction.questions()[first];
+  const std::uint32_t before = question.step > 0 ? question.step - 1 : 0;
+  session_->move([=](Timeline& t) { return t.pause(), t.seek(before); });
+  motion_ = 1;
+  tab = "predict";
+  notice(prediction.marking() == Marking::at_end ? "The steps are shown when all is answered."
+                                                 : "First say what " + question.name + " will be, or let it be shown.");
+}
+
+std::optional<std::size_t> Player::asked() const {
+  const Prediction* prediction = session_ ? session_->prediction() : nullptr;
+  if (prediction == nullptr) return std::nullopt;
+  if (chosen_question_ && *chosen_question_ < prediction->questions().size()) return chosen_question_;
+  return prediction->open();
+}
+
+void Player::choose_question(std::size_t question) {
+  chosen_question_ = question;
+  draft_ = {};
+}
+
+void Player::set_draft(std::size_t number, std::string text) {
+  const auto question = asked();
+  if (!question) return;
+  if (draft_.question != *question) draft_ = {*question, {}, {}};
+  if (draft_.numbers.size() <= number) draft_.numbers.resize(number + 1);
+  draft_.numbers[number] = std::move(text);
+  draft_.problem.clear();
+}
+
+void Player::submit_draft() {
+  const auto question = asked();
+  if (!question) return;
+  if (draft_.question != *question) draft_ = {*question, {}, {}};
+  Prediction& prediction = *session_->prediction();
+  if (auto problem = prediction.answer(*question, draft_.numbers)) {
+    draft_.problem = std::move(*problem);
+    return;
+  }
+  chosen_question_.reset();
+  draft_ = {};
+  to_keep_ = true;
+  const std::uint32_t step = prediction.questions()[*question].step;
+  if (!prediction.veiled(step) && session_->step() < step) seek(step);
+}
+
 // ---- saving ---------------------------------------------------------------------------------------------------------
 
 void Player::save_lesson(const fs::path& file, const std::string& id, const std::string& title) {
@@ -267,12 +325,10 @@ bool Player::animating() const {
 bool Player::advance(double seconds) {
   bool changed = false;
   if (session_ && session_->timeline().playing()) {
-    const std::uint32_t before = session_->step();
-    session_->move([&](Timeline& t) {
+    move([&](Timeline& t) {
       t.set_speed(settings.speed);
       return t.advance(seconds);
     });
-    if (session_->step() != before) step_changed();
     changed = true;
   }
   if (motion_ < 1) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "player/grip.hpp"
 #include "player/influence.hpp"
 #include "player/session.hpp"
 #include "player/settings.hpp"
@@ -32,6 +33,7 @@ enum class Dialog : std::uint8_t {
   open,         // a file
   save_lesson,  // the edited inputs as a lesson
   save_picture,
+  save_answers,
   settings,
   shortcuts,
   palette,   // all actions by name
@@ -99,6 +101,43 @@ class Player {
   Camera shown_camera() const;
   double motion() const { return motion_; }  // how far the step has come, 0 to 1
 
+  // ---- what the mouse holds ---------------------------------------------------------------------------------------
+  // Takes something, unless it may not be moved now (a notice says why). Places are page units of the view it is in.
+  bool take(Grip);
+  void drag(glm::dvec2 mouse, const GripKeys&);
+  void let_go();
+  // Puts it back where it was; true if something was held. The mouse then holds nothing until its button is released.
+  bool put_back();
+  const Grip* held() const { return held_ && !held_->over ? &held_->grip : nullptr; }
+  bool holding() const { return held_.has_value(); }  // also what was put back
+  glm::dvec2 held_at() const { return held_ ? held_->mouse : glm::dvec2{}; }
+  GripKeys held_keys() const { return held_ ? held_->keys : GripKeys{}; }
+  // The given point that has the keyboard or is pinned, and what keys do to it. In 3D a direction of the view is the
+  // axis that runs most along it; a step is a tenth of the grid's.
+  std::optional<PointAddress> chosen_point() const;
+  void nudge(const glm::dvec3& right_up_toward);
+  void add_point_behind(const PointAddress&);
+  void remove_point(const PointAddress&);
+
+  // ---- predicting -------------------------------------------------------------------------------------------------
+  // The answer being typed to a question. Another question begins an empty one.
+  struct Draft {
+    std::size_t question = SIZE_MAX;
+    std::vector<std::string> numbers;
+    std::string problem;  // why it was not taken
+  };
+  const Draft& draft() const { return draft_; }
+  std::optional<std::size_t> asked() const;  // the question one is asked: chosen, or the first open one
+  void choose_question(std::size_t);
+  void set_draft(std::size_t number, std::string text);
+  // A click on the picture is an answer while a point is asked that one does not see yet.
+  bool asks_place() const;
+  void predict_click(const glm::dvec3& place);
+  std::optional<glm::dvec3> predicted_place;  // the last one
+  // What was said of a question in numbers, typed or clicked, if that is a place.
+  std::optional<glm::dvec3> said_place(std::size_t question) const;
+  void submit_draft();  // the answer is given; where it is marked at once one sees the step
+
   // ---- the window -------------------------------------------------------------------------------------------------
   Settings settings;  // changed freely; saved by and by
   Dialog dialog = Dialog::none;
@@ -121,10 +160,11 @@ class Player {
   void step_changed();     // begins the step's motion; called by what moves
   void keep();             // writes settings, progress and autosave now
 
-  // Moves in the timeline, with all that follows from it.
+  // Moves in the timeline, with all that follows from it. While one predicts, not beyond an open question.
   template <class Move>
   void move(Move&& how) {
     if (session_ && session_->move(std::forward<Move>(how))) step_changed();
+    stay_before_question();
   }
   void seek(std::uint32_t step);
   // An edit, with all that follows from it.
@@ -132,7 +172,9 @@ class Player {
 
  private:
   void remember_progress();
+  void stay_before_question();
   void after_edit();
+  void choose_point(const PointAddress&);
   void look_at_disk();
   void take_settings();
 
@@ -176,6 +218,18 @@ class Player {
   std::optional<Glide> glide_;
   ViewSize view_size_{800, 500};
   double motion_ = 1;
+
+  struct Held {
+    Grip grip;
+    glm::dvec2 mouse{};
+    GripKeys keys;
+    bool edited = false;  // it has a state of its own in the history
+    bool over = false;    // it was put back
+  };
+  std::optional<Held> held_;
+
+  Draft draft_;
+  std::optional<std::size_t> chosen_question_;
 
   FileWatch watch_;
   double since_look_ = 0, since_keep_ = 0;

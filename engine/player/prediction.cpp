@@ -77,8 +77,10 @@ std::optional<std::size_t> Prediction::next_after(std::uint32_t step) const {
 }
 
 bool Prediction::veiled(std::uint32_t step) const {
-  const auto first = open();
-  return first && questions_[*first].step <= step;
+  if (finished()) return false;
+  // What is marked at the end stays open to the end, answered or not.
+  const std::size_t first = marking_ == Marking::at_end ? 0 : *open();
+  return questions_[first].step <= step;
 }
 
 std::optional<std::string> Prediction::answer(std::size_t question, std::vector<std::string> numbers) {

@@ -46,7 +46,7 @@ class Prediction {
   std::optional<std::size_t> open() const;
   // The first unanswered question whose step comes after this one: what to ask before going on.
   std::optional<std::size_t> next_after(std::uint32_t step) const;
-  // Whether going to this step would show the answer to an open question.
+  // Whether going to this step would show the answer to an open question; of those marked at the end, to any.
   bool veiled(std::uint32_t step) const;
 
   // Answers are taken as typed: "2/5", "-0.4"; what has not the question's shape is refused with the reason, and

@@ -166,7 +166,8 @@ class Parser {
     if (words && !words->empty()) instruct(*words);
   }
   void error(std::size_t at, std::string message) {
-    diagnostics_.push_back({name_, number_, static_cast<int>(utf8_count(line_.substr(0, at))) + 1, "", message});
+    diagnostics_.push_back(
+        {name_, number_, static_cast<int>(utf8_count(line_.substr(0, at))) + 1, "", std::move(message)});
   }
   Checked<std::vector<Instruction>> result() && {
     if (!diagnostics_.empty()) return std::move(diagnostics_);

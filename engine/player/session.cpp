@@ -141,6 +141,7 @@ void Session::end_gesture() {
 
 bool Session::show_history() {
   rejected_.clear();
+  fields_.clear();
   stop_prediction();
   record(inputs(), false);  // it could be recorded before
   return true;
@@ -148,7 +149,10 @@ bool Session::show_history() {
 
 bool Session::undo() { return history_.undo() && show_history(); }
 bool Session::redo() { return history_.redo() && show_history(); }
-bool Session::revert() { return edit(Edited(document_.inputs), "all edits taken back"); }
+bool Session::revert() {
+  fields_.clear();
+  return edit(Edited(document_.inputs), "all edits taken back");
+}
 
 void Session::set_exact(bool exact) {
   exact_ = exact;
@@ -163,6 +167,7 @@ Diagnostics Session::reload(Document document) {
   if (!(document_.inputs == inputs())) history_.push(document_.inputs, "the file was changed on disk");
   saved_ = inputs();
   rejected_.clear();
+  fields_.clear();
   stop_prediction();
   return record(inputs(), false);
 }

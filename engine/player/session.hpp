@@ -5,6 +5,7 @@
 
 #include "player/document.hpp"
 #include "player/edit.hpp"
+#include "player/field.hpp"
 #include "player/history.hpp"
 #include "player/recording.hpp"
 #include "trace/timeline.hpp"
@@ -64,6 +65,8 @@ class Session {
   bool redo();
   const History<Inputs<Exact>>& history() const { return history_; }
   bool revert();  // to the document's inputs, as an edit
+  Fields& fields() { return fields_; }  // what is typed and not applied
+  const Fields& fields() const { return fields_; }
 
   bool exact() const { return exact_; }  // as wished; recording().source().exact is what is
   void set_exact(bool);
@@ -94,6 +97,7 @@ class Session {
   std::vector<Beat> beats_;
   std::vector<std::uint32_t> bookmarks_;
   Diagnostics rejected_;
+  Fields fields_;
   std::unique_ptr<Prediction> prediction_;
   bool exact_ = true;
   bool exact_failed_ = false;  // the last try was too large for it

@@ -64,16 +64,16 @@ void visit(S& settings, Visitor&& visitor) {
 bool is_known_theme(std::string_view name) { return std::ranges::find(known_themes, name) != known_themes.end(); }
 
 struct Bounding {
-  void theme(const char*, std::string& name) const {
+  static void theme(const char*, std::string& name) {
     if (!is_known_theme(name)) name = known_themes.front();
   }
-  void flag(const char*, bool&) const {}
+  static void flag(const char*, bool&) {}
   template <class T>
-  void number(const char*, T& value, T at_least, T at_most) const {
+  static void number(const char*, T& value, T at_least, T at_most) {
     if (!(value >= at_least)) value = at_least;  // and what is not a number
     if (value > at_most) value = at_most;
   }
-  void files(const char*, std::vector<fs::path>& files) const {
+  static void files(const char*, std::vector<fs::path>& files) {
     std::vector<fs::path> kept;
     for (fs::path& file : files)
       if (!file.empty() && kept.size() < most_recent && std::ranges::find(kept, file) == kept.end())

@@ -76,13 +76,13 @@ std::vector<fs::path> files_of(const fs::path& folder, Diagnostics& diagnostics)
 }  // namespace
 
 Shelf::Shelf(fs::path lessons, fs::path exercises)
-    : thread_([this, lessons = std::move(lessons), exercises = std::move(exercises)](std::stop_token stop) {
-        load(std::move(stop), lessons, exercises);
+    : thread_([this, lessons = std::move(lessons), exercises = std::move(exercises)](const std::stop_token& stop) {
+        load(stop, lessons, exercises);
       }) {}
 
 Shelf::~Shelf() = default;  // the thread, which is the last member, is asked to stop and waited for first
 
-void Shelf::load(std::stop_token stop, fs::path lessons, fs::path exercises) {
+void Shelf::load(const std::stop_token& stop, const fs::path& lessons, const fs::path& exercises) {
   for (const fs::path& folder : {lessons, exercises}) {
     Diagnostics unreadable;
     const auto files = files_of(folder, unreadable);

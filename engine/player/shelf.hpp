@@ -27,6 +27,7 @@ class Shelf {
   Shelf(std::filesystem::path lessons, std::filesystem::path exercises);
   ~Shelf();  // stops soon
   Shelf(const Shelf&) = delete;
+  Shelf& operator=(const Shelf&) = delete;
 
   std::vector<std::shared_ptr<const ShelfItem>> items() const;  // those loaded so far, lessons first, by file name
   Diagnostics diagnostics() const;                              // of files that are damaged
@@ -35,7 +36,7 @@ class Shelf {
   void wait();                    // until all are loaded
 
  private:
-  void load(std::stop_token, std::filesystem::path lessons, std::filesystem::path exercises);
+  void load(const std::stop_token&, const std::filesystem::path& lessons, const std::filesystem::path& exercises);
   mutable std::mutex mutex_;
   std::condition_variable loaded_;
   std::vector<std::shared_ptr<const ShelfItem>> items_;

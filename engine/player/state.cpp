@@ -25,8 +25,8 @@ std::string joined(const std::vector<std::uint32_t>& numbers) {
 }
 
 std::string dialog_name(Dialog dialog) {
-  static constexpr const char* names[] = {"none",     "open",      "save_lesson", "save_picture", "settings",
-                                          "shortcuts", "palette", "go_to",       "recover",      "unsaved"};
+  static constexpr const char* names[] = {"none",     "open",      "save_lesson", "save_picture", "save_answers",
+                                          "settings", "shortcuts", "palette",     "go_to",        "recover", "unsaved"};
   return names[static_cast<std::size_t>(dialog)];
 }
 

@@ -252,12 +252,18 @@ void GlCanvas::image_triangles(std::span<const ImageVertex> vertices, std::span<
   const ScissorBox box = box_of(clip);
   if (indices.empty() || box.width == 0 || box.height == 0) return;
   // Of vertices that many calls share, only those between the first and the last of this one are kept.
-  const auto [least, most] = std::minmax_element(indices.begin(), indices.end());
-  assert(*most < vertices.size());
+  std::uint16_t least = indices[0], most = least;
+  for (const std::uint16_t i : indices) {
+    least = std::min(least, i);
+    most = std::max(most, i);
+  }
+  assert(most < vertices.size());
   const std::size_t first = indices_.size();
-  const auto base = static_cast<std::uint32_t>(image_vertices_.size()) - *least;  // modulo 2^32, like the sums below
-  image_vertices_.insert(image_vertices_.end(), vertices.begin() + *least, vertices.begin() + *most + 1);
-  for (const std::uint16_t i : indices) indices_.push_back(base + i);
+  const auto base = static_cast<std::uint32_t>(image_vertices_.size()) - least;  // modulo 2^32, like the sums below
+  image_vertices_.insert(image_vertices_.end(), vertices.begin() + least, vertices.begin() + most + 1);
+  indices_.resize(first + indices.size());
+  std::uint32_t* to = indices_.data() + first;
+  for (std::size_t i = 0; i < indices.size(); ++i) to[i] = base + indices[i];
   batch(Program::images, first, box, false).count += indices.size();
 }
 

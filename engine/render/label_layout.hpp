@@ -14,6 +14,9 @@ namespace blossom {
 class LabelLayout {
  public:
   explicit LabelLayout(const PixelRect& view);
+  ~LabelLayout();
+  LabelLayout(const LabelLayout&) = delete;
+  LabelLayout& operator=(const LabelLayout&) = delete;
 
   void add_marker(double x, double y, double radius);
   void add_label(const PixelRect&);  // one whose place is given
@@ -40,8 +43,12 @@ class LabelLayout {
   PixelRect view_;
   double cell_ = 1.5;  // page units
   int columns_ = 0, rows_ = 0;
-  std::vector<std::uint8_t> blocked_;
-  std::vector<float> ink_;
+  struct Raster {
+    std::vector<std::uint8_t> blocked;
+    std::vector<float> ink;
+  };
+  static Raster& spare();
+  Raster raster_;
 };
 
 }  // namespace blossom

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <span>
 
 #include "kernel/basis.hpp"
 #include "scene/panel_parts.hpp"
@@ -16,6 +16,8 @@ constexpr double label_size = 0.8, value_size = 0.74;
 constexpr double bar_width = 18, bar_gap = 12;
 constexpr double units_per_sample = 3;
 constexpr std::size_t most_labels = 24;  // of more functions only those that count at u have names
+constexpr std::size_t few_labels = 12;   // may stand farther from their peaks
+constexpr double least_share = 0.0005;   // of a part of the bar that is labelled
 constexpr double least_peak = 0.02;      // of a function that is labelled
 
 // The basis functions of a curve on the axis of its knots.
@@ -131,6 +133,9 @@ void add_spot(Sheet& sheet, const Box& box, int i, const std::string& name) {
       {{Link::Kind::basis, static_cast<std::uint32_t>(i)}, box.x, box.y, box.width, box.height, name});
 }
 
+// Where a name may stand, from its peak downwards.
+constexpr double beside_peak[] = {-5, -17, 15, 27, -29, 39};
+
 // A name at each peak that has room for it: those that count at u first.
 void add_labels(Sheet& sheet, const std::vector<Function>& functions, const Plot& plot, bool with_u, double left,
                 double right) {
@@ -146,7 +151,7 @@ void add_labels(Sheet& sheet, const std::vector<Function>& functions, const Plot
     const double width = parts::width_of(f->name, role, size);
     const double x = std::clamp(plot.axis.place(f->peak_at), left + width / 2, right - width / 2);
     const double peak = plot.place(std::min(f->peak, 1.06));
-    for (const double below : {-5.0, 15.0, -17.0, 27.0, -29.0, 39.0}) {
+    for (const double below : std::span(beside_peak, order.size() <= few_labels ? 6 : 2)) {
       const Box box{x - width / 2, peak + below - 10, width, 14};
       if (box.y < plot.top - top_room || box.bottom() > plot.bottom) continue;
       if (std::ranges::any_of(taken, [&](const Box& other) { return box.meets(other, 1); })) continue;
@@ -191,7 +196,7 @@ void add_bar(Sheet& sheet, const std::vector<Function>& functions, const Plot& p
     segment.height = foot - box.y;
     pattern(view, segment, f.index);
     if (segment.height >= 3) add_spot(sheet, segment, f.index, "basis " + std::to_string(f.index) + " at u");
-    segments.push_back({&f, segment.y + segment.height / 2, 0});
+    if (*f.value >= least_share) segments.push_back({&f, segment.y + segment.height / 2, 0});
   }
   parts::outline(view, {x, plot.top, bar_width, plot.bottom - plot.top}, Role::text, 0.8);
   parts::text(view, x, plot.bottom + 13, {{"sum = " + format_short(sum, 3)}}, Role::text_quiet, value_size);
@@ -248,22 +253,24 @@ double add_basis(Sheet& sheet, const StepSource& source, std::uint32_t, const Em
   for (std::size_t i = 0; i < functions.size(); ++i) {
     if (functions[i].points.size() < 2) continue;
     const bool lit = points[i] != absent && emphasis.lights(points[i]);
-    if (lit) parts::stroke(view, functions[i].points, Role::highlight, 2);
+    if (lit) parts::stroke(view, functions[i].points, Role::highlight, 1.5);
   }
   for (const bool loud : {false, true})
     for (Function& f : functions) {
       if (f.points.size() < 2 || (u && f.value) != loud) continue;
       const bool quiet = u && !loud;
-      parts::stroke(view, std::move(f.points), quiet ? Role::earlier : parts::cycle(f.index), 1);
+      parts::stroke(view, std::move(f.points), quiet ? Role::earlier : parts::cycle(f.index),
+                    loud || functions.size() <= most_labels ? 1 : 0.6);
     }
   if (u) {
     parts::stroke(view, {{axis->place(at), plot.top, 0}, {axis->place(at), plot.bottom, 0}}, Role::current, 0.4);
+    const double dot = curve.degree > 8 ? 0.6 : 1;  // many lie close together
     for (const Function& f : functions)
       if (f.value)
         view.markers.push_back({{axis->place(at), plot.place(std::clamp(*f.value, -0.06, 1.06)), 0},
                                 parts::cycle(f.index),
                                 Marker::Shape::disc,
-                                1});
+                                dot});
     add_bar(sheet, functions, plot, axis->right + bar_gap, x + width - 2);
   }
   add_labels(sheet, functions, plot, u, axis->left - 2, axis->right + 6);

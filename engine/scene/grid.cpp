@@ -57,11 +57,21 @@ double nice_step(double length, double count) {
   return 10 * power;
 }
 
+double plane_grid_step(const Camera& camera, double width, double height) {
+  return nice_step(camera.height * width / height, 10);
+}
+
+double ground_grid_step(const Bounds& bounds) {
+  const glm::dvec3 size = bounds.high - bounds.low;
+  const double largest = std::max({size.x, size.y, size.z, 1e-6});
+  return nice_step(1.3 * std::max({size.x, size.y, largest / 2}), 10);
+}
+
 void add_plane_grid(View& view) {
   const Camera& camera = view.camera;
   const double half_h = camera.height / 2;
   const double half_w = half_h * view.width / view.height;
-  const double step = nice_step(2 * half_w, 10);
+  const double step = plane_grid_step(camera, view.width, view.height);
   const double unit = camera.height / view.height;  // of the page, in the world
   const double edge = 0.02 * camera.height;
   const double left = camera.centre.x - half_w, right = camera.centre.x + half_w;
@@ -82,7 +92,7 @@ void add_plane_grid(View& view) {
 void add_ground_grid(View& view, const Bounds& bounds) {
   const glm::dvec3 size = bounds.high - bounds.low;
   const double largest = std::max({size.x, size.y, size.z, 1e-6});
-  const double step = nice_step(1.3 * std::max({size.x, size.y, largest / 2}), 10);
+  const double step = ground_grid_step(bounds);
   const double pad = 0.5 * step;
   const double x0 = std::floor((bounds.low.x - pad) / step) * step, x1 = std::ceil((bounds.high.x + pad) / step) * step;
   const double y0 = std::floor((bounds.low.y - pad) / step) * step, y1 = std::ceil((bounds.high.y + pad) / step) * step;
@@ -127,10 +137,12 @@ void add_ground_grid(View& view, const Bounds& bounds) {
     label.optional = true;
     view.labels.push_back(std::move(label));
   };
-  const double x = std::clamp(0.0, x0, x1), y = std::clamp(0.0, y0, y1);
-  arrow({x0, y, ground}, {x1 + 0.6 * step, y, ground}, "x");
-  arrow({x, y0, ground}, {x, y1 + 0.6 * step, ground}, "y");
-  arrow({x, y, ground}, {x, y, std::max(bounds.high.z, ground) + 0.6 * step}, "z");
+  // From the origin, or what of the grid is nearest to it; short enough to be seen beside what stands there.
+  const glm::dvec3 origin{std::clamp(0.0, x0, x1), std::clamp(0.0, y0, y1), ground};
+  const double length = std::max(0.3 * largest, step);
+  arrow(origin, origin + glm::dvec3{length, 0, 0}, "x");
+  arrow(origin, origin + glm::dvec3{0, length, 0}, "y");
+  arrow(origin, origin + glm::dvec3{0, 0, length}, "z");
 }
 
 }  // namespace blossom

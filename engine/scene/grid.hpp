@@ -9,6 +9,10 @@ namespace blossom {
 // 1, 2 or 5 times a power of ten: about `count` steps over `length`.
 double nice_step(double length, double count);
 
+// How far apart the lines are of either grid.
+double plane_grid_step(const Camera&, double width, double height);
+double ground_grid_step(const Bounds&);
+
 // Of a plane camera: all over the view, wherever it is; the numbers stand at its left and lower edge.
 void add_plane_grid(View&);
 

@@ -9,9 +9,9 @@ namespace {
 
 using parts::Box;
 
-constexpr double margin = 40;                        // left and right of the axis
-constexpr double line_at = 24, height = 56;          // of the line in the panel; of the panel
-constexpr std::array<double, 2> label_rows{18, 29};  // below the line
+constexpr double margin = 40;                          // left and right of the axis
+constexpr double line_at = 26, height = 56;            // of the line in the panel; of the panel
+constexpr std::array<double, 2> label_rows{19, 28.5};  // below the line
 constexpr double label_size = 0.72;
 constexpr double reach = 8;  // of a knot's spot around the line
 
@@ -49,23 +49,44 @@ std::string number(const StepSource& source, ValueId v, double value) {
   return exact.empty() || exact.size() > 8 ? format_short(value, 4) : exact;
 }
 
-// Labels one beside the other in two rows; the ends of the axis first; what then has no room is left out.
-void set_labels(View& view, const std::vector<Knot>& knots, double line, double left, double right) {
-  std::array<std::vector<Box>, label_rows.size()> taken;
-  const auto place = [&](const Knot& knot) {
-    const double width = parts::width_of(knot.label, Role::text_quiet, label_size);
-    const double x = std::clamp(knot.at, left + width / 2, std::max(left + width / 2, right - width / 2));
-    for (std::size_t row = 0; row < taken.size(); ++row) {
-      const Box box{x - width / 2, line + label_rows[row] - 8, width, 10};
-      if (std::ranges::any_of(taken[row], [&](const Box& other) { return box.meets(other, 3); })) continue;
-      parts::text(view, x, line + label_rows[row], knot.label, Role::text_quiet, label_size, Label::Placement::centre);
-      taken[row].push_back(box);
-      return;
+// Where labels stand, row by row, so that none overlaps another; the ends of the axis come first. Row -1: no room.
+struct PlacedLabel {
+  double x = 0;
+  int row = -1;
+};
+std::vector<PlacedLabel> placed(const std::vector<Knot>& knots, int rows, double left, double right) {
+  constexpr double apart = 3;
+  std::vector<PlacedLabel> labels(knots.size());
+  std::vector<double> half(knots.size());
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    half[i] = parts::width_of(knots[i].label, Role::text_quiet, label_size) / 2;
+    labels[i].x = std::clamp(knots[i].at, left + half[i], std::max(left + half[i], right - half[i]));
+  }
+  labels.front().row = 0;
+  labels.back().row = 0;
+  const double end = labels.back().x - half.back();
+  std::vector<double> taken(static_cast<std::size_t>(rows), left - apart);
+  taken[0] = labels.front().x + half.front();
+  for (std::size_t i = 1; i + 1 < knots.size(); ++i)
+    for (int row = 0; row < rows && labels[i].row < 0; ++row) {
+      auto& edge = taken[static_cast<std::size_t>(row)];
+      if (labels[i].x - half[i] < edge + apart) continue;
+      if (row == 0 && labels[i].x + half[i] + apart > end) continue;
+      labels[i].row = row;
+      edge = labels[i].x + half[i];
     }
-  };
-  place(knots.front());
-  if (knots.size() > 1) place(knots.back());
-  for (std::size_t i = 1; i + 1 < knots.size(); ++i) place(knots[i]);
+  return labels;
+}
+
+// In a second row where one is not enough; and where two are not, in one row, as many as there is room for.
+void set_labels(View& view, const std::vector<Knot>& knots, double line, double left, double right) {
+  auto labels = placed(knots, 2, left, right);
+  if (std::ranges::any_of(labels, [](const PlacedLabel& label) { return label.row < 0; }))
+    labels = placed(knots, 1, left, right);
+  for (std::size_t i = 0; i < knots.size(); ++i)
+    if (labels[i].row >= 0)
+      parts::text(view, labels[i].x, line + label_rows[static_cast<std::size_t>(labels[i].row)], knots[i].label,
+                  Role::text_quiet, label_size, Label::Placement::centre);
 }
 
 // The span k, once it is known.
@@ -157,7 +178,7 @@ double add_knot_line(Sheet& sheet, const StepSource& source, std::uint32_t step,
     const double half = parts::width_of(words, Role::text_current, 0.85) / 2;
     const double middle = std::clamp(at, x + half, std::max(x + half, x + width - half));
     Label& label =
-        parts::text(view, middle, line - 11, std::move(words), Role::text_current, 0.85, Label::Placement::centre);
+        parts::text(view, middle, line - 12, std::move(words), Role::text_current, 0.85, Label::Placement::centre);
     label.priority = 10;
     handle = Box{at - 9, y, 18, line_at + reach};
   }

@@ -66,12 +66,16 @@ void set_pieces(View& view, const CodeLine& line, double x, double baseline, boo
 double add_current_line(Sheet& sheet, const Algorithm& algorithm, int current, const Emphasis& emphasis, double x,
                         double y, double width) {
   if (current == 0) return 0;
-  CodeLine line = broken(algorithm, width)[static_cast<std::size_t>(current) - 1];
-  line.indent = 0;
-  const double height = static_cast<double>(line.pieces.size()) * 18 + 4;
+  const std::string_view code = algorithm.pseudo_code[static_cast<std::size_t>(current) - 1];
+  const std::string line(code.substr(std::min(code.find_first_not_of(' '), code.size())));
+  const auto pieces = parts::wrapped(line, width / parts::width_of(1, Role::text, wrapped_size), false, true);
+  const double height = static_cast<double>(pieces.size()) * 18 + 4;
   const double margin = std::min(x, 6.0);
-  mark(sheet, {x - margin, y, width + 2 * margin, height}, current, current, emphasis);
-  set_pieces(sheet.view, line, x, y + 14, true);
+  // No bar: there are no other lines to tell it from.
+  const Box box{x - margin, y, width + 2 * margin, height};
+  parts::fill(sheet.view, box, Role::current, 0.18);
+  mark(sheet, box, current, 0, emphasis);
+  parts::text(sheet.view, x, y + 14, {code_run(line, true)}, Role::text, wrapped_size).max_width = width;
   return height + 12;
 }
 

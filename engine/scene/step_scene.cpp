@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/grid.hpp"
 #include "scene/panels.hpp"
 #include "scene/scene_samples.hpp"
 #include "scene/typeset.hpp"
@@ -16,6 +17,10 @@ StepScenes::~StepScenes() = default;
 
 Camera StepScenes::fitted(double width, double height, const std::optional<Camera>& look) const {
   return samples_->fitted(width, height, look);
+}
+
+double StepScenes::grid_step(const Camera& camera, double width, double height) const {
+  return camera.kind == Camera::Kind::orbit ? ground_grid_step(samples_->bounds) : plane_grid_step(camera, width, height);
 }
 
 Scene StepScenes::page(std::uint32_t step, const std::string& narration, const PageOptions& options) const {

@@ -46,6 +46,8 @@ class StepScenes {
 
   // The camera that shows all of it; `look` says from where (its kind, azimuth, elevation and perspective are kept).
   Camera fitted(double width, double height, const std::optional<Camera>& look = {}) const;
+  // How far apart the lines of the grid are that such a view has.
+  double grid_step(const Camera&, double width, double height) const;
 
  private:
   const StepSource* source_;

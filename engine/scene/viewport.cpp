@@ -4,34 +4,17 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
-#include "scene/camera.hpp"
 #include "scene/grid.hpp"
-#include "scene/scene_samples.hpp"
-#include "scene/step_scene.hpp"
 #include "scene/typeset.hpp"
+#include "scene/viewport_builder.hpp"
 
 namespace blossom {
 namespace {
 
 constexpr std::size_t most_labels = 80;    // beyond that only what the step is about is named
 constexpr std::size_t most_points = 1500;  // beyond that what the step is not about is thinned out
-constexpr std::size_t most_shares = 64;    // rings of ancestors, those that weigh most
-constexpr std::size_t most_share_texts = 12;
-constexpr double least_share = 5e-4;  // would be written as 0
-constexpr double spot_size = 22;
-
-Polyline line(std::vector<glm::dvec3> points, Role role, double width = 1, bool dashed = false) {
-  Polyline made;
-  made.points = std::move(points);
-  made.role = role;
-  made.width_scale = width;
-  made.dashed = dashed;
-  return made;
-}
-
-Marker marker(const glm::dvec3& at, Role role, double size = 1, Marker::Shape shape = Marker::Shape::disc) {
-  return {at, role, shape, size};
-}
+// Beyond that a net is drawn finer; of a finished surface, only its lines.
+constexpr std::ptrdiff_t most_net_points = 300;
 
 // The share of the far part of a divided segment, in the manner of the share of the near one: 3/5 beside 2/5.
 std::string other_share(const std::string& share, double value) {
@@ -40,111 +23,7 @@ std::string other_share(const std::string& share, double value) {
   return format_short(1 - value, 4);
 }
 
-// What the current step does to two points: A and B are divided at M, as the share a says.
-struct Division {
-  glm::dvec3 A, B, M;
-  double a = 0;
-  std::string share;
-  bool swapped = false;  // the share is that of the second part
-};
-
-class ViewportBuilder {
- public:
-  ViewportBuilder(const StepSource& source, const SceneSamples& samples, std::uint32_t step,
-                  const ViewportOptions& options, Sheet& sheet)
-      : source_(source),
-        graph_(*source.graph),
-        samples_(samples),
-        step_(step),
-        options_(options),
-        motion_(options.motion < 1 ? std::max(options.motion, 0.0) : 1),
-        sheet_(sheet),
-        view_(sheet.view),
-        last_(step + 1 == graph_.step_count()),
-        surface_done_(last_ && !samples.surface().mesh.indices.empty()),
-        size_(source.spatial() ? 0.75 : 1),
-        main_(graph_.main_value(step)),
-        around_(graph_.phase_path(graph_.step(step).phase)) {
-    std::tie(first_new_, end_new_) = graph_.values_of(step);
-    if (main_ != absent && !graph_.is_input(main_)) {
-      const auto from = graph_.operands(main_);
-      operands_.assign(from.begin(), from.end());
-      std::ranges::sort(operands_);
-    }
-    // A step that writes down a whole polygon has no single value to look at.
-    single_ = main_ != absent && end_new_ - first_new_ <= 3;
-    division_ = division_of_step();
-  }
-
-  void build() {
-    if (options_.grid) add_grid();
-    add_curves();
-    find_shown();
-    add_rows();
-    if (last_)
-      for (const auto& piece : samples_.result) view_.polylines.push_back(line(piece, Role::curve_result, 1, true));
-    add_points();
-    add_shares();
-    add_lit_elsewhere();
-    add_step();
-  }
-  void add_spots();
-
- private:
-  bool made_now(ValueId v) const { return v >= first_new_ && v < end_new_ && !graph_.is_input(v); }
-  bool read_now(ValueId v) const { return std::ranges::binary_search(operands_, v); }
-  bool is_around(const Drawable& d) const {
-    return d.phase == absent || std::ranges::find(around_, d.phase) != around_.end();
-  }
-  bool in_net(const Drawable& d) const {  // of the finished surface
-    return d.draw == ValueSpec::Draw::net && !d.given;
-  }
-  // Where it is at this moment of the step.
-  glm::dvec3 place(ValueId v) const {
-    if (motion_ < 1 && v == main_ && division_) return division_->A + motion_ * (division_->M - division_->A);
-    return *source_.points[v];
-  }
-  Role role_of(const Drawable& d) const {
-    if (d.given) return step_ < d.gone ? Role::control_point : Role::retired;
-    return surface_done_ ? Role::control_point : d.role;
-  }
-
-  std::optional<Division> division_of_step() const;
-  void add_grid();
-  void add_curves();
-  void find_shown();
-  void thin_out();
-  void add_rows();
-  void add_rows_along(bool rows);
-  void add_points();
-  void add_name(const Drawable&, std::size_t position, bool many_new);
-  void add_shares();
-  void add_lit_elsewhere();
-  void add_step();
-  void add_division(const Division&);
-  void add_ring(const glm::dvec3& at, double size) {
-    view_.markers.push_back(marker(at, Role::highlight, size, Marker::Shape::ring));
-  }
-
-  const StepSource& source_;
-  const TraceGraph& graph_;
-  const SceneSamples& samples_;
-  std::uint32_t step_;
-  const ViewportOptions& options_;
-  double motion_;
-  Sheet& sheet_;
-  View& view_;
-  bool last_, surface_done_;
-  double size_;  // of markers
-  ValueId main_;
-  std::vector<std::uint32_t> around_;  // phases
-  ValueId first_new_ = 0, end_new_ = 0;
-  std::vector<ValueId> operands_;  // ascending
-  bool single_ = false;
-  std::optional<Division> division_;
-  std::vector<const Drawable*> shown_;  // by value
-  int stride_ = 1;                      // of the first indices of a net that was thinned out
-};
+}  // namespace
 
 std::optional<Division> ViewportBuilder::division_of_step() const {
   if (operands_.size() != 3 || !source_.points[main_]) return std::nullopt;
@@ -196,6 +75,7 @@ void ViewportBuilder::find_shown() {
     shown_.push_back(&*d);
   }
   if (shown_.size() > most_points) thin_out();
+  crowded_ = std::ranges::count_if(shown_, [&](const Drawable* d) { return in_net(*d); }) > most_net_points;
 }
 
 // More points than can be told apart: those of phases that are over go, and of a net that is still too large every so
@@ -249,7 +129,8 @@ void ViewportBuilder::add_rows_along(bool rows) {
   std::vector<glm::dvec3> run;
   Role role = Role::polygon;
   const auto flush = [&] {
-    if (run.size() > 1) view_.polylines.push_back(line(run, role, width));
+    const bool finer = crowded_ && role == Role::result;
+    if (run.size() > 1) view_.polylines.push_back(line(run, role, finer ? 0.5 * width : width));
     run.clear();
   };
   const int most_gap = rows ? 1 : stride_;
@@ -270,14 +151,18 @@ void ViewportBuilder::add_points() {
   for (const Drawable* d : shown_) new_count += made_now(d->value) ? 1 : 0;
   for (std::size_t i = 0; i < shown_.size(); ++i) {
     const Drawable& d = *shown_[i];
-    const bool now = made_now(d.value), loud = now && single_;
+    const bool now = made_now(d.value), loud = now && single_, lit = options_.emphasis.lights(d.value);
     const glm::dvec3 at = place(d.value);
     double size = surface_done_ && !loud ? 0.6 * size_ : size_;
     if (now && !division_) size *= motion_;
     if (read_now(d.value) && single_ && !now)
       view_.markers.push_back(marker(at, Role::operand, 1.7 * size_, Marker::Shape::ring));
+    if (crowded_ && in_net(d) && !now && !lit) {
+      if (surface_done_) continue;
+      size *= 0.35;
+    }
     view_.markers.push_back(marker(at, loud ? Role::current : role_of(d), size));
-    if (options_.emphasis.lights(d.value)) add_ring(at, 1);
+    if (lit) add_ring(at, 1);
     add_name(d, i, new_count > most_labels);
   }
 }
@@ -306,59 +191,6 @@ void ViewportBuilder::add_name(const Drawable& d, std::size_t position, bool man
   label.priority = lit ? 40 : (now ? 30 : (read ? 15 : (d.given ? 5 : 0)));
   label.optional = !lit && !now && !read;
   view_.labels.push_back(std::move(label));
-}
-
-// Rings around what the lit value came from: the larger, the more it weighs.
-void ViewportBuilder::add_shares() {
-  struct Share {
-    glm::dvec3 at;
-    double share;
-  };
-  std::vector<Share> shares;
-  for (const auto& [v, share] : options_.emphasis.shares) {
-    if (!(std::abs(share) >= least_share) || options_.emphasis.lights(v)) continue;
-    if (v >= graph_.value_count() || graph_.value(v).step > step_) continue;
-    const auto d = std::ranges::lower_bound(samples_.drawables, v, {}, &Drawable::value);
-    if (d != samples_.drawables.end() && d->value == v && is_around(*d)) shares.push_back({place(v), share});
-  }
-  std::ranges::stable_sort(shares,
-                           [](const Share& a, const Share& b) { return std::abs(a.share) > std::abs(b.share); });
-  // Values that stand at one place (a point that a step only carries over) are one ring.
-  std::vector<Share> kept;
-  for (const Share& share : shares) {
-    if (kept.size() == most_shares) break;
-    if (std::ranges::none_of(kept, [&](const Share& other) { return other.at == share.at; })) kept.push_back(share);
-  }
-  for (const Share& share : kept) {
-    add_ring(share.at, 0.5 + 0.9 * std::sqrt(std::min(std::abs(share.share), 1.0)));
-    if (kept.size() > most_share_texts) continue;
-    Label label;
-    label.anchor = share.at;
-    label.text = {{format_short(share.share, 3)}};
-    label.role = Role::text_quiet;
-    label.size_scale = 0.9;
-    label.placement = Label::Placement::around;
-    label.priority = 25;
-    label.optional = true;
-    view_.labels.push_back(std::move(label));
-  }
-}
-
-// What is lit although it is not of this step: retired, or of another phase.
-void ViewportBuilder::add_lit_elsewhere() {
-  for (const ValueId v : options_.emphasis.lit) {
-    if (v >= graph_.value_count() || graph_.value(v).step > step_ || !source_.points[v]) continue;
-    if (std::ranges::binary_search(shown_, v, {}, [](const Drawable* d) { return d->value; })) continue;
-    add_ring(*source_.points[v], 1);
-    Label label;
-    label.anchor = *source_.points[v];
-    label.text = typeset_name(graph_.value(v).name, source_.algorithm_at(graph_.value(v).step));
-    for (TextRun& run : label.text) run.bold = true;
-    label.role = Role::text_quiet;
-    label.placement = Label::Placement::around;
-    label.priority = 40;
-    view_.labels.push_back(std::move(label));
-  }
 }
 
 void ViewportBuilder::add_step() {
@@ -402,25 +234,7 @@ void ViewportBuilder::add_division(const Division& d) {
   view_.polylines.push_back(line({d.a > 1 ? d.B : d.A, M}, Role::ratio_far, 1, true));
 }
 
-void ViewportBuilder::add_spots() {
-  const Lens lens(view_.camera, {view_.width, view_.height});
-  std::vector<std::pair<double, Spot>> found;
-  for (const Drawable* d : shown_) {
-    const auto at = lens(place(d->value));
-    if (!at || !(at->x >= 0 && at->x <= view_.width && at->y >= 0 && at->y <= view_.height)) continue;
-    found.push_back({at->z,
-                     {{Link::Kind::value, d->value},
-                      at->x - spot_size / 2,
-                      at->y - spot_size / 2,
-                      spot_size,
-                      spot_size,
-                      graph_.name(d->value)}});
-  }
-  if (view_.camera.kind == Camera::Kind::orbit)
-    std::ranges::stable_sort(found, {}, [](const auto& entry) { return entry.first; });
-  sheet_.spots.reserve(found.size());
-  for (auto& [z, spot] : found) sheet_.spots.push_back(std::move(spot));
-}
+namespace {
 
 Sheet empty_sheet(double width, double height, const Camera& camera) {
   Sheet sheet;

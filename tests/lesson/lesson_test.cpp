@@ -226,14 +226,14 @@ TEST_CASE("a lesson says what is predicted, and when predictions are marked") {
   CHECK(to_string(with(R"({"asks": 1,
 "ask": ["P[1", "P[3][0]", "P[0][*]", "P[*][*]", 7], "marking": "later"})")
                       .diagnostics) ==
-        "lesson.json:3:54: predict: unknown key \"asks\"; did you mean \"ask\"?\n"
+        "lesson.json:3:57: predict: unknown key \"asks\"; did you mean \"ask\"?\n"
         "lesson.json:4:9: predict.ask[0]: is no selector: the bracket at character 2 is not closed\n"
         "lesson.json:4:16: predict.ask[1]: no value of this run is called \"P[3][0]\"; did you mean \"P[0][0]\"?\n"
         "lesson.json:4:27: predict.ask[2]: \"P[0][*]\" is given: there is nothing to predict\n"
         "lesson.json:4:49: predict.ask[4]: must be a string, not 7\n"
         "lesson.json:4:64: predict.marking: must be \"at-once\" or \"at-end\", not \"later\"\n");
   CHECK(to_string(with(R"({"ask": []})").diagnostics) ==
-        "lesson.json:3:61: predict.ask: must have at least 1 item, not 0\n");
+        "lesson.json:3:64: predict.ask: must have at least 1 item, not 0\n");
 }
 
 TEST_CASE("the beats of a lesson in a run with other inputs: those whose place is there, in the order of its steps") {

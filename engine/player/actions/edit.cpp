@@ -9,6 +9,9 @@ bool is_open(const Player& p) { return p.session() != nullptr; }
 // While one predicts, undo is the answers'.
 bool predicts(const Player& p) { return is_open(p) && p.session()->prediction() != nullptr && !p.session()->edited(); }
 
+bool has_point(const Player& p) { return p.chosen_point().has_value(); }
+bool has_spatial_point(const Player& p) { return has_point(p) && p.session()->recording().source().spatial(); }
+
 }  // namespace
 
 const ActionGroup& actions_edit() {
@@ -34,6 +37,18 @@ const ActionGroup& actions_edit() {
            [](const Player& p) { return is_open(p) && (predicts(p) || p.session()->history().can_redo()); }},
           {"edit.revert", "Take back all edits", {}, [](Player& p) { p.session()->revert(); },
            [](const Player& p) { return is_open(p) && p.session()->edited(); }},
+          {"edit.nudge_left", "Move the point left", {"Shift+Left"}, [](Player& p) { p.nudge({-1, 0, 0}); }, has_point},
+          {"edit.nudge_right", "Move the point right", {"Shift+Right"}, [](Player& p) { p.nudge({1, 0, 0}); }, has_point},
+          {"edit.nudge_up", "Move the point up", {"Shift+Up"}, [](Player& p) { p.nudge({0, 1, 0}); }, has_point},
+          {"edit.nudge_down", "Move the point down", {"Shift+Down"}, [](Player& p) { p.nudge({0, -1, 0}); }, has_point},
+          {"edit.nudge_nearer", "Move the point nearer", {"Shift+PageDown"}, [](Player& p) { p.nudge({0, 0, 1}); },
+           has_spatial_point},
+          {"edit.nudge_farther", "Move the point away", {"Shift+PageUp"}, [](Player& p) { p.nudge({0, 0, -1}); },
+           has_spatial_point},
+          {"edit.insert_point", "Add a point behind", {"Insert"},
+           [](Player& p) { p.add_point_behind(*p.chosen_point()); }, has_point},
+          {"edit.delete_point", "Delete this point", {"Delete"}, [](Player& p) { p.remove_point(*p.chosen_point()); },
+           has_point},
           {"edit.snap", "Snap to the grid", {"S"}, [](Player& p) { p.settings.snap = !p.settings.snap; }, nullptr,
            [](const Player& p) { return p.settings.snap; }},
       }};

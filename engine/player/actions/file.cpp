@@ -22,6 +22,8 @@ const ActionGroup& actions_file() {
            is_open},
           {"file.save_picture", "Save the picture ...", {"Ctrl+E"}, [](Player& p) { p.dialog = Dialog::save_picture; },
            is_open},
+          {"file.save_answers", "Save the answers ...", {"Ctrl+Shift+S"}, [](Player& p) { p.dialog = Dialog::save_answers; },
+           [](const Player& p) { return is_open(p) && p.session()->prediction() != nullptr; }},
           {"file.copy_tableau", "Copy the scheme as LaTeX", {"Ctrl+L"},
            [](Player& p) {
              const auto text = latex_tableau(p.session()->recording().source(), p.session()->step());
@@ -41,6 +43,8 @@ const ActionGroup& actions_file() {
              p.notice("Copied: " + text);
            },
            is_open},
+          {"file.recover", "Recover edits ...", {}, [](Player& p) { p.dialog = Dialog::recover; },
+           [](const Player& p) { return !p.lost_work().empty(); }},
           {"file.quit", "Quit", {"Ctrl+Q"}, [](Player& p) { p.unless_unsaved([](Player& q) { q.quit(); }); }},
       }};
   return group;

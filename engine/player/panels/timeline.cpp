@@ -1,26 +1,176 @@
-// Where one is and how to move.
+// Where one is and how to move: a scrubber with the parts of the run, the lesson's beats and one's own bookmarks on it,
+// and the buttons.
+#include <algorithm>
+#include <cmath>
+
 #include "player/ui/panel.hpp"
 #include "player/ui/ui.hpp"
 
 namespace blossom {
 namespace {
 
-void draw(Ui& ui) {
-  const Session& session = *ui.player().session();
-  ui.icon_button("step.first", "first");
-  ImGui::SameLine();
-  ui.icon_button("step.back", "back");
-  ImGui::SameLine();
-  ui.icon_button("step.play", session.timeline().playing() ? "pause" : "play");
-  ImGui::SameLine();
-  ui.icon_button("step.forward", "forward");
-  ImGui::SameLine();
-  ui.icon_button("step.last", "last");
-  ImGui::SameLine();
-  ImGui::Text("%u / %u", session.step(), session.last());
+struct Track {  // pixels
+  float left, right, y;
+  std::uint32_t last;
+  float place(double step) const {
+    return last == 0 ? left : left + static_cast<float>(step / last) * (right - left);
+  }
+  std::uint32_t step(float x) const {
+    const double share = std::clamp((x - left) / std::max(right - left, 1.0f), 0.0f, 1.0f);
+    return static_cast<std::uint32_t>(std::lround(share * last));
+  }
+};
+
+// The parts of the run as bands below the line: the outermost phases, with their titles where they have room.
+void draw_phases(Ui& ui, const Session& session, const Track& track) {
+  const StepSource& source = session.recording().source();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  bool odd = false;
+  for (std::uint32_t i = 0; i < source.graph->phases().size(); ++i) {
+    const PhaseRecord& phase = source.graph->phases()[i];
+    if (phase.parent != absent) continue;
+    const float from = track.place(phase.first_step), to = track.place(phase.last_step + 1.0);
+    const float top = track.y + ui.px(7), bottom = top + ui.px(15);
+    list.AddRectFilled({from, top}, {std::min(to, track.right), bottom}, ui.color(Role::rule_line, odd ? 0.8 : 0.45), ui.px(3));
+    odd = !odd;
+    const std::string title = source.phase_title(i);
+    ImGui::PushFont(ui.small());
+    if (ImGui::CalcTextSize(title.c_str()).x + ui.px(8) < to - from)
+      list.AddText({from + ui.px(4), top}, ui.ink(Role::text_quiet), title.c_str());
+    ImGui::PopFont();
+  }
 }
 
-double wanted(const Ui&, double) { return 72; }
+void diamond(ImDrawList& list, ImVec2 c, float r, ImU32 color, bool filled) {
+  const ImVec2 corners[] = {{c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}};
+  if (filled)
+    list.AddConvexPolyFilled(corners, 4, color);
+  else
+    list.AddPolyline(corners, 4, color, ImDrawFlags_Closed, r * 0.35f);
+}
+
+void draw_track(Ui& ui, const Session& session, const Track& track) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Timeline& timeline = session.timeline();
+  const float y = track.y;
+  if (const auto loop = timeline.loop())
+    list.AddRectFilled({track.place(loop->first), y - ui.px(8)}, {track.place(loop->second), y + ui.px(4)},
+                       ui.color(Role::level_b, 0.28), ui.px(3));
+  list.AddRectFilled({track.left, y - ui.px(2)}, {track.right, y + ui.px(2)}, ui.color(Role::rule_line), ui.px(2));
+  const float here = track.place(session.step() + (timeline.playing() ? timeline.fraction() : 0));
+  list.AddRectFilled({track.left, y - ui.px(2)}, {here, y + ui.px(2)}, ui.color(Role::current), ui.px(2));
+  // A tick for every step while they can be told apart.
+  if (track.last > 0 && (track.right - track.left) / static_cast<float>(track.last) > ui.px(7))
+    for (std::uint32_t k = 0; k <= track.last; ++k)
+      list.AddLine({track.place(k), y - ui.px(4)}, {track.place(k), y + ui.px(4)}, ui.color(Role::polygon, 0.55), 1);
+  for (const Beat& beat : session.beats())
+    diamond(list, {track.place(beat.step), y}, ui.px(4.5), ui.color(Role::polygon), true);
+  for (const std::uint32_t step : session.bookmarks()) {
+    const float x = track.place(step);
+    list.AddLine({x, y - ui.px(13)}, {x, y}, ui.color(Role::result), ui.px(1.6));
+    list.AddTriangleFilled({x, y - ui.px(13)}, {x + ui.px(9), y - ui.px(10)}, {x, y - ui.px(7)}, ui.color(Role::result));
+  }
+  list.AddCircleFilled({here, y}, ui.px(8), ui.color(Role::current), 24);
+  list.AddCircle({here, y}, ui.px(8), ImGui::ColorConvertFloat4ToU32(ImGui::GetStyleColorVec4(ImGuiCol_WindowBg)), 24,
+                 ui.px(2));
+}
+
+std::string describe(const Session& session, std::uint32_t step) {
+  const TraceGraph& graph = session.recording().graph();
+  std::string text = "step " + std::to_string(step);
+  for (const std::uint32_t phase : graph.phase_path(graph.step(step).phase))
+    text += "\n" + session.recording().source().phase_title(phase);
+  if (const ValueId v = graph.main_value(step); v != absent && !graph.is_input(v)) text += "\nmakes " + graph.name(v);
+  const auto& marks = session.beats();
+  if (std::any_of(marks.begin(), marks.end(), [&](const Beat& b) { return b.step == step; })) text += "\na beat of the lesson";
+  return text;
+}
+
+void scrubber(Ui& ui, const Session& session) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool phases = !session.recording().graph().phases().empty();
+  const float height = ui.px(phases ? 38 : 26);
+  ImGui::InvisibleButton("slider", {width, height});
+  ui.thing("timeline slider");
+  const Track track{at.x + ui.px(10), at.x + width - ui.px(10), at.y + ui.px(14), session.last()};
+  const float mouse = ImGui::GetIO().MousePos.x;
+  if (ImGui::IsItemActive()) {
+    const std::uint32_t step = track.step(mouse);
+    if (ImGui::GetIO().KeyShift) {  // a range to repeat: from where the button went down
+      const std::uint32_t from = track.step(ImGui::GetIO().MouseClickedPos[0].x);
+      ui.send([from, step](Player& p) {
+        p.session()->move([=](Timeline& t) { return t.set_loop(std::min(from, step), std::max(from, step)), false; });
+      });
+    } else {
+      ui.send([step](Player& p) {
+        p.move([=](Timeline& t) { return t.pause(), t.seek(step); });
+      });
+    }
+  } else if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("%s", describe(session, track.step(mouse)).c_str());
+  }
+  if (phases) draw_phases(ui, session, track);
+  draw_track(ui, session, track);
+}
+
+void buttons(Ui& ui, const Session& session) {
+  const Timeline& timeline = session.timeline();
+  const auto next = [&](const char* action, const char* icon, bool on = false) {
+    ui.icon_button(action, icon, on);
+    ImGui::SameLine(0, ui.px(4));
+  };
+  next("step.first", "first");
+  next("step.previous_mark", "previous-beat");
+  next("step.back", "back");
+  next("step.play", timeline.playing() ? "pause" : "play", timeline.playing());
+  next("step.forward", "forward");
+  next("step.next_mark", "next-beat");
+  next("step.last", "last");
+  if (!session.recording().graph().phases().empty()) {
+    next("step.over", "over");
+    next("step.out", "out");
+  }
+  ImGui::SameLine(0, ui.px(10));
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(ui.bold());
+  ImGui::Text("%u / %u", session.step(), session.last());
+  ImGui::PopFont();
+  ui.thing("timeline position");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("the step one is at, of all\nG goes to a step or a value");
+
+  // At the right, if there is room: bookmark, loop, speed.
+  const float speed_width = ui.px(120), icons = 2 * (ImGui::GetFrameHeight() * 1.12f + ui.px(4));
+  const float wanted = speed_width + icons + ui.px(20);
+  ImGui::SameLine();
+  if (ImGui::GetContentRegionAvail().x < wanted) return;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - wanted);
+  const auto marks = session.bookmarks();
+  const bool marked = std::find(marks.begin(), marks.end(), session.step()) != marks.end();
+  next("step.bookmark", marked ? "bookmarked" : "bookmark", marked);
+  next("step.loop", "loop", timeline.loop().has_value());
+  ImGui::SameLine(0, ui.px(8));
+  ImGui::SetNextItemWidth(speed_width);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetFrameHeight() * 0.06f);
+  auto speed = static_cast<float>(ui.player().settings.speed);
+  if (ImGui::SliderFloat("##speed", &speed, 0.1f, 10, "speed %.1fx", ImGuiSliderFlags_Logarithmic))
+    ui.send([speed](Player& p) { p.settings.speed = std::clamp(std::round(static_cast<double>(speed) * 10) / 10, 0.1, 10.0); });
+  ui.thing("timeline speed");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("steps a second while it plays   + and -");
+}
+
+void draw(Ui& ui) {
+  const Session& session = *ui.player().session();
+  ImGui::SetCursorPosY(ui.px(2));
+  scrubber(ui, session);
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ui.px(2));
+  buttons(ui, session);
+}
+
+double wanted(const Ui& ui, double) {
+  const bool phases = !ui.player().session()->recording().graph().phases().empty();
+  return phases ? 86 : 74;
+}
 
 }  // namespace
 

@@ -100,8 +100,10 @@ bool Ui::take(const Event& event) {
         swallow_text_ = true;  // "G" that opens a text field is not to stand in it
         return true;
       }
+      // Enter presses the button that has the focus, as Space does; in a text field it is only Enter.
+      const bool presses = event.text == "Enter" && (!down || !io.WantTextInput);
       for (std::size_t i = 0; i < named_keys.size(); ++i)
-        if (named_keys[i].name == event.text) io.KeysDown[i] = down;
+        if (named_keys[i].name == event.text || (presses && named_keys[i].name == "Space")) io.KeysDown[i] = down;
       return true;
     }
     case Event::Kind::text:
@@ -145,17 +147,21 @@ bool Ui::shortcut(const std::string& key) {
                            key == "Ctrl+C" || key == "Ctrl+V" || key == "Ctrl+X" || key == "Ctrl+Left" ||
                            key == "Ctrl+Right" || key == "Ctrl+Backspace" || key == "Ctrl+Delete"))
     return false;
+  if (dialog && (plain || key.starts_with("Shift+"))) return false;
   if (key == "F6" || key == "Shift+F6") {
     move_focus(key == "F6" ? 1 : -1);
     return true;
   }
-  if (dialog && (plain || key.starts_with("Shift+"))) return false;
+  if (key == "F10") {
+    give_focus("menu");
+    return true;
+  }
   // Inside of widgets the arrows walk from one to the next.
   const bool walking = io.NavVisible && io.NavActive;
   const bool walks = key == "Left" || key == "Right" || key == "Up" || key == "Down" || key == "Space" ||
                      key == "Enter" || key == "Tab" || key == "Home" || key == "End" || key == "PageUp" ||
                      key == "PageDown";
-  if (walking && walks) return false;
+  if (walks && (walking || player_->session() == nullptr)) return false;
   if (key.starts_with("Alt+") && (key.ends_with("Left") || key.ends_with("Right") || key.ends_with("Up") ||
                                   key.ends_with("Down"))) {
     const std::string way = key.substr(4);
@@ -180,12 +186,15 @@ void Ui::move_focus(int by) {
   const auto here = std::find_if(order.begin(), order.end(), [&](const auto& p) { return p.first == player_->focus; });
   const auto count = static_cast<int>(order.size());
   const int from = here == order.end() ? (by > 0 ? -1 : 0) : static_cast<int>(here - order.begin());
-  const std::string next = order[static_cast<std::size_t>(((from + by) % count + count) % count)].first;
-  focus_request_ = next;
+  give_focus(order[static_cast<std::size_t>(((from + by) % count + count) % count)].first);
+}
+
+void Ui::give_focus(const std::string& panel) {
+  focus_request_ = panel;
   context_->NavDisableHighlight = false;
   context_->NavDisableMouseHover = true;
-  send([next](Player& player) {
-    player.focus = next;
+  send([panel](Player& player) {
+    player.focus = panel;
     player.focused = {};
   });
 }

@@ -169,6 +169,8 @@ void Ui::draw_panels() {
   if (player_->session() != nullptr) draw_splitters(layout);
   for (const Panel* panel : panels())
     if (panel->slot == Slot::float_ && relevant(*panel)) panel->draw(*this);
+  // A dialog that is not wanted any more goes at once, or it would hold the keyboard for another frame.
+  if (player_->dialog == Dialog::none && ImGui::GetTopMostPopupModal() != nullptr) ImGui::ClosePopupToLevel(0, true);
 }
 
 namespace {

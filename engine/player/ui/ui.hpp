@@ -104,6 +104,7 @@ class Ui {
   void draw_splitters(const Layout&);
   void draw_menu();
   void move_focus(int by);
+  void give_focus(const std::string& panel);
   void move_in_sheet(int dx, int dy);
   void paint();
 
