@@ -23,6 +23,8 @@ function(discover_tests folder program working_directory)
       string(REPLACE "${character}" "\\${character}" specification "${specification}")
     endforeach()
     add_test("${folder}: ${name}" "${program}" "${specification}" --warn NoTests)
-    set_tests_properties("${folder}: ${name}" PROPERTIES WORKING_DIRECTORY "${working_directory}" TIMEOUT 300)
+    # Catch2 2 cannot skip: a test that has not what it needs says so, and passes.
+    set_tests_properties("${folder}: ${name}" PROPERTIES WORKING_DIRECTORY "${working_directory}" TIMEOUT 300
+                         SKIP_REGULAR_EXPRESSION "test skipped: ")
   endwhile()
 endfunction()

@@ -8,45 +8,45 @@ namespace blossom {
 
 // ---- texts ----------------------------------------------------------------------------------------------------------
 
-const Fields::Entry* Fields::current(std::string_view id, const std::string& value) const {
+const FieldTexts::Entry* FieldTexts::current(std::string_view id, const std::string& value) const {
   const auto found = entries_.find(id);
   return found != entries_.end() && found->second.value == value ? &found->second : nullptr;
 }
 
-const std::string& Fields::text(std::string_view id, const std::string& value) const {
+const std::string& FieldTexts::text(std::string_view id, const std::string& value) const {
   const Entry* entry = current(id, value);
   return entry != nullptr ? entry->text : value;
 }
 
-const std::string& Fields::error(std::string_view id, const std::string& value) const {
+const std::string& FieldTexts::error(std::string_view id, const std::string& value) const {
   static const std::string nothing;
   const Entry* entry = current(id, value);
   return entry != nullptr ? entry->error : nothing;
 }
 
-void Fields::type(std::string_view id, const std::string& value, std::string text) {
+void FieldTexts::type(std::string_view id, const std::string& value, std::string text) {
   refuse(id, value, std::move(text), {});
 }
 
-void Fields::refuse(std::string_view id, const std::string& value, std::string text, std::string error) {
+void FieldTexts::refuse(std::string_view id, const std::string& value, std::string text, std::string error) {
   entries_.insert_or_assign(std::string(id), Entry{value, std::move(text), std::move(error)});
 }
 
-void Fields::drop(std::string_view id) {
+void FieldTexts::drop(std::string_view id) {
   if (const auto found = entries_.find(id); found != entries_.end()) entries_.erase(found);
 }
 
-void Fields::accept(std::string_view id) {
+void FieldTexts::accept(std::string_view id) {
   drop(id);
   std::erase_if(entries_, [](const auto& entry) { return entry.second.text == entry.second.value; });
 }
 
-bool Fields::holds(std::string_view prefix) const {
+bool FieldTexts::holds(std::string_view prefix) const {
   const auto found = entries_.lower_bound(prefix);
   return found != entries_.end() && found->first.starts_with(prefix);
 }
 
-bool Fields::says(std::string_view error) const {
+bool FieldTexts::says(std::string_view error) const {
   return std::any_of(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry.second.error == error; });
 }
 
@@ -88,18 +88,18 @@ std::optional<std::string> nudged(std::string_view text, int by) {
   }
   const std::size_t point = text.find('.');
   if (text.find_first_of("eE") != std::string_view::npos) return std::nullopt;
-  const std::size_t places =
-      point == std::string_view::npos ? 0 : text.find_last_of("0123456789") + 1 - std::min(point + 1, text.size());
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto places = static_cast<std::size_t>(
+      point == std::string_view::npos ? 0 : std::count_if(text.begin() + point, text.end(), digit));
   Exact unit = 1;
   for (std::size_t i = 0; i < places; ++i) unit /= Exact(10);
-  // Written out with as many places, so that the next key goes on in the same one.
-  Exact scaled = abs(*x + Exact(by) * unit);
-  const bool negative = *x + Exact(by) * unit < Exact(0);
+  const Exact sum = *x + Exact(by) * unit;
+  Exact scaled = abs(sum);  // written out with as many places, so that the next key goes on in the same one
   for (std::size_t i = 0; i < places; ++i) scaled *= Exact(10);
   std::string digits = scaled.to_string();
   if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
   if (places > 0) digits.insert(digits.size() - places, ".");
-  return (negative ? "-" : "") + digits;
+  return (sum < Exact(0) ? "-" : "") + digits;
 }
 
 }  // namespace blossom

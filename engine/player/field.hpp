@@ -12,7 +12,7 @@
 
 namespace blossom {
 
-class Fields {
+class FieldTexts {
  public:
   // The texts are about the value that was there when they were typed: as soon as the model has another one they are
   // void, and the field shows that one.

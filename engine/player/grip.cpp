@@ -69,10 +69,10 @@ std::optional<int> PointGrip::axis(glm::dvec2 mouse) const {
 
 Point<Exact> PointGrip::place(glm::dvec2 mouse, const GripKeys& keys) const {
   const glm::dvec2 target = on_page_ + (mouse - mouse_);
-  const auto chosen = keys.along ? axis(mouse) : std::nullopt;
-  if (mouse == mouse_ || (keys.along && !chosen)) return start_;
+  const int along = keys.along ? axis(mouse).value_or(-1) : -1;
+  if (mouse == mouse_) return start_;
   const auto there = [&](glm::dvec2 at) {
-    return chosen ? to_line(camera_, size_, at, from_, unit_vector(*chosen)) : to_world(camera_, size_, at, from_);
+    return along >= 0 ? to_line(camera_, size_, at, from_, unit_vector(along)) : to_world(camera_, size_, at, from_);
   };
   const auto to = there(target), beside = to_world(camera_, size_, target + glm::dvec2{1, 0}, from_);
   const auto here = to_world(camera_, size_, target, from_);
@@ -83,7 +83,7 @@ Point<Exact> PointGrip::place(glm::dvec2 mouse, const GripKeys& keys) const {
   Exact* const coordinates[] = {&place.x, &place.y, &place.z};
   for (int i = 0; i < dimension_; ++i) {
     // What the drag does not change keeps its exact number.
-    const bool moves = chosen ? i == *chosen : std::abs((*to)[i] - from_[i]) > 1e-9 * unit;
+    const bool moves = along >= 0 ? i == along : std::abs((*to)[i] - from_[i]) > 1e-9 * unit;
     if (moves) *coordinates[i] = snapped((*to)[i], unit, grid);
   }
   return place;

@@ -21,8 +21,7 @@ std::string knot_name(std::size_t index) { return "u_" + std::to_string(index); 
 
 bool Player::take(Grip grip) {
   if (!session_) return false;
-  const bool changes = std::holds_alternative<PointGrip>(grip) || std::holds_alternative<KnotGrip>(grip) ||
-                       std::holds_alternative<ParameterGrip>(grip);
+  const bool changes = !std::holds_alternative<LookGrip>(grip) && !std::holds_alternative<StuckGrip>(grip);
   if (changes && is_open_prediction(*session_)) {
     // An edit ends predicting, as the questions were about other numbers: not by a slip of the hand.
     notice("While you predict, what is given stays as it is. Ctrl+T ends predicting.");
@@ -32,7 +31,7 @@ bool Player::take(Grip grip) {
   if (const auto* stuck = std::get_if<StuckGrip>(&grip)) notice(stuck->why);
   // The picture is not to move under the mouse because a point moves in it.
   if (std::holds_alternative<PointGrip>(grip)) set_camera(shown_camera());
-  session_->end_gesture();
+  if (changes) session_->end_gesture();
   held_ = Held{std::move(grip), {}, {}, false, false};
   return true;
 }
@@ -55,8 +54,10 @@ void Player::drag(glm::dvec2 mouse, const GripKeys& keys) {
 }
 
 void Player::let_go() {
+  // What was refused is forgotten as well: the thing is where it was.
+  const bool changes = held_ && !std::holds_alternative<LookGrip>(held_->grip);
   held_.reset();
-  if (session_) session_->end_gesture();
+  if (session_ && changes) session_->end_gesture();
 }
 
 bool Player::put_back() {
@@ -95,11 +96,11 @@ void Player::nudge(const glm::dvec3& direction) {
   const auto address = chosen_point();
   if (!address) return;
   const Camera camera = shown_camera();
-  const Curve<Exact>& curve = curve_at(session_->inputs(), {address->input, address->curve});
-  const PageAxis along = nearest_axis(camera, curve.dimension, direction);
+  const Curve<Exact>& net = curve_at(session_->inputs(), {address->input, address->curve});
+  const PageAxis along = nearest_axis(camera, net.dimension, direction);
   const double step = grid_spacing(*session_, camera, view_size_) / 10;
   const Exact by = snapped(along.backwards ? -step : step, step);
-  Point<Exact> to = affine(curve, address->point);
+  Point<Exact> to = affine(net, address->point);
   Exact* const coordinates[] = {&to.x, &to.y, &to.z};
   *coordinates[along.axis] += by;
   const ValueId v = value_of(session_->recording().graph(), session_->inputs(), *address).value_or(absent);

@@ -1,9 +1,9 @@
 #pragma once
-// Walks along the graph of values: what a value came from and how much each counted, what it went into, and why it is
-// what it is.
+// Walks along the graph of values: what a value came from and how much each counted, and what it went into.
 
 #include "scene/source.hpp"
 #include "scene/spot.hpp"
+#include "trace/why.hpp"
 
 namespace blossom {
 
@@ -24,15 +24,5 @@ std::vector<double> shares_onward(const StepSource&, ValueId v);
 Emphasis emphasis_of(const StepSource&, const Link&, std::uint32_t step);
 // Two at once, such as what is pinned and what the mouse is over. Where both have a share or a line, the second's.
 Emphasis merged(const Emphasis&, const Emphasis&);
-
-// "Why?": the chain from a value down to what was given, depth first, operands in the rule's order. A value that was
-// told already is not opened again.
-struct WhyLine {
-  ValueId value = 0;
-  int depth = 0;
-  bool given = false;
-  bool told_above = false;
-};
-std::vector<WhyLine> why(const TraceGraph&, ValueId, std::size_t most = 5000);
 
 }  // namespace blossom

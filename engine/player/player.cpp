@@ -26,8 +26,8 @@ Player::Player(PlayerOptions options, Desk& desk) : options_(std::move(options))
 }
 
 Player::~Player() {
-  // What is unsaved at an orderly end was given up on purpose.
-  if (session_) session_->mark_saved();
+  // What is unsaved when somebody quits was given up on purpose; when the system ends the player, it is offered again.
+  if (session_ && quit_) session_->mark_saved();
   keep();
 }
 
@@ -96,6 +96,11 @@ void proceed_after_unsaved(Player& player) {
   player.dialog = Dialog::none;
   if (player.session_) player.session_->mark_saved();
   if (then) then(player);
+}
+
+void Player::cancel_dialog() {
+  dialog = Dialog::none;
+  after_unsaved_ = nullptr;
 }
 
 void Player::close() {
@@ -276,6 +281,7 @@ void Player::save_lesson(const fs::path& file, const std::string& id, const std:
   session_->mark_saved();
   dialog = Dialog::none;
   notice("Saved as " + printable(file.string()));
+  if (after_unsaved_) proceed_after_unsaved(*this);
 }
 
 void Player::save_picture(const fs::path& file) {

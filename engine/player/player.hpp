@@ -147,6 +147,7 @@ class Player {
   std::size_t curve = 0;        // which input curve the panels are about
   std::vector<std::uint32_t> open_phases;  // unfolded in the phase tree
   std::string go_to_text;
+  void cancel_dialog();         // what it was to lead to is not done
   Desk& desk() { return *desk_; }
   void save_lesson(const std::filesystem::path&, const std::string& id, const std::string& title);
   void save_picture(const std::filesystem::path&);

@@ -65,8 +65,8 @@ class Session {
   bool redo();
   const History<Inputs<Exact>>& history() const { return history_; }
   bool revert();  // to the document's inputs, as an edit
-  Fields& fields() { return fields_; }  // what is typed and not applied
-  const Fields& fields() const { return fields_; }
+  FieldTexts& fields() { return fields_; }  // what is typed and not applied
+  const FieldTexts& fields() const { return fields_; }
 
   bool exact() const { return exact_; }  // as wished; recording().source().exact is what is
   void set_exact(bool);
@@ -97,7 +97,7 @@ class Session {
   std::vector<Beat> beats_;
   std::vector<std::uint32_t> bookmarks_;
   Diagnostics rejected_;
-  Fields fields_;
+  FieldTexts fields_;
   std::unique_ptr<Prediction> prediction_;
   bool exact_ = true;
   bool exact_failed_ = false;  // the last try was too large for it

@@ -10,7 +10,7 @@ namespace {
 using parts::Box;
 
 constexpr double margin = 40;                          // left and right of the axis
-constexpr double line_at = 26, height = 56;            // of the line in the panel; of the panel
+constexpr double line_at = knot_line_at, height = 56;  // of the line in the panel; of the panel
 constexpr std::array<double, 2> label_rows{19, 28.5};  // below the line
 constexpr double label_size = 0.72;
 constexpr double reach = 8;  // of a knot's spot around the line

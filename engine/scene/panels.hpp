@@ -53,6 +53,7 @@ std::optional<KnotAxis> knot_axis(const StepSource&, std::size_t curve, double x
 
 // The knots of an input curve as multiplicity(value) on a line, with the domain, u, its span once it is known, and what
 // a ratio measures. Spots: the knots, u. Nothing without knots (`always`: also for a Bezier curve's 0 and 1).
+inline constexpr double knot_line_at = 26;  // below y, where the line is
 double add_knot_line(Sheet&, const StepSource&, std::uint32_t step, const Emphasis&, double x, double y, double width,
                      std::size_t curve = 0, bool always = false);
 

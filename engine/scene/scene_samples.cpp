@@ -10,7 +10,7 @@
 namespace blossom {
 namespace {
 
-constexpr int samples_per_span = 32, fewest_samples = 4;
+constexpr int samples_per_span = 80, fewest_samples = 4;
 constexpr int most_samples = 4000;  // of all curves together, as far as each span has the fewest
 constexpr std::size_t most_knots = 200;
 constexpr int mesh_per_span = 12;

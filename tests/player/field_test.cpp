@@ -7,7 +7,7 @@
 using namespace blossom;
 
 TEST_CASE("a field shows the value of the model until something is typed over it") {
-  Fields fields;
+  FieldTexts fields;
   CHECK(fields.text("u", "2/5") == "2/5");
   fields.type("u", "2/5", "2/");
   CHECK(fields.text("u", "2/5") == "2/");
@@ -16,7 +16,7 @@ TEST_CASE("a field shows the value of the model until something is typed over it
 }
 
 TEST_CASE("a refused text stays with what is wrong with it until it is corrected or dropped") {
-  Fields fields;
+  FieldTexts fields;
   fields.refuse("u", "2/5", "7", "u must lie in the domain [0, 1]");
   CHECK(fields.text("u", "2/5") == "7");
   CHECK(fields.error("u", "2/5") == "u must lie in the domain [0, 1]");
@@ -43,14 +43,14 @@ TEST_CASE("a refused text stays with what is wrong with it until it is corrected
 }
 
 TEST_CASE("what was said of a button is over with the next edit that is taken") {
-  Fields fields;
+  FieldTexts fields;
   fields.refuse("curve.points[1]", "", "", "a curve has at least 2 control points");
   fields.accept("u");
   CHECK(fields.empty());
 }
 
 TEST_CASE("a row of a table knows whether one of its fields holds a text") {
-  Fields fields;
+  FieldTexts fields;
   fields.type("curve.points[12][1]", "3", "x");
   CHECK(fields.holds("curve.points[12]"));
   CHECK(fields.holds("curve.points[12][1]"));

@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include "base/json.hpp"
+#include "block_difference.hpp"
 #include "render/picture.hpp"
 #include "scene/shipped_lessons.hpp"
 
@@ -37,13 +38,7 @@ Image draw(const Scene& scene, const char* theme) {
   return std::move(*image);
 }
 
-// The largest difference of two blocks of 8 x 8 pixels, averaged: what is drawn counts, how its edges are smoothed does
-// not.
-int block_difference(const Image& a, const Image& b) {
-  if (a.width != b.width || a.height != b.height) return 255;
-  return difference(downscale(a, a.width / 8, a.height / 8), downscale(b, b.width / 8, b.height / 8)).max;
-}
-constexpr int tolerated = 24;
+constexpr int tolerated = tolerated_difference;
 
 }  // namespace
 

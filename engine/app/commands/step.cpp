@@ -7,6 +7,7 @@
 #include "app/input.hpp"
 #include "app/text.hpp"
 #include "trace/timeline.hpp"
+#include "trace/why.hpp"
 
 namespace blossom {
 namespace {
@@ -122,24 +123,15 @@ class Stepper {
       std::cout << "\n";
       return;
     }
-    std::vector<bool> told(trace.value_count());
-    std::vector<std::pair<ValueId, int>> open{{*found, 0}};
-    while (!open.empty()) {
-      const auto [v, depth] = open.back();
-      open.pop_back();
-      std::cout << std::string(2 * static_cast<std::size_t>(depth) + 2, ' ') << trace.name(v) << " = "
-                << narrator_.value_text(v);
-      if (trace.is_input(v)) {
+    for (const WhyLine& line : blossom::why(trace, *found)) {
+      std::cout << std::string(2 * static_cast<std::size_t>(line.depth) + 2, ' ') << trace.name(line.value) << " = "
+                << narrator_.value_text(line.value);
+      if (line.given)
         std::cout << "   (given)\n";
-      } else if (told[v]) {
+      else if (line.told_above)
         std::cout << "   (see above)\n";
-      } else {
-        std::cout << "   = " << narrator_.formula(v) << "\n";
-        const auto from = trace.operands(v);
-        for (auto o = from.rbegin(); o != from.rend(); ++o)
-          if (trace.value(*o).kind != ValueKind::list) open.emplace_back(*o, depth + 1);
-      }
-      told[v] = true;
+      else
+        std::cout << "   = " << narrator_.formula(line.value) << "\n";
     }
   }
 

@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string file, algorithm, script, out = "out", state;
+  bool times = false;
 };
 
 // A script is small; what is not is a mistake.
@@ -61,7 +62,9 @@ int run(const Options& options) {
   };
 
   if (options.script.empty()) {
-    const auto wrong = play_in_window(player, start);
+    FrameTimes times;
+    const auto wrong = play_in_window(player, start, options.times ? &times : nullptr);
+    if (options.times) std::cerr << times.report();
     report(wrong);
     return wrong.empty() ? done : machine_at_fault;
   }
@@ -81,6 +84,7 @@ void set_up(CLI::App& app, int& status) {
   auto* script =
       app.add_option("--headless-script", options->script, "Without a window: do what this file says, see `blossom list`");
   app.add_option("--out", options->out, "The folder for the script's pictures")->needs(script)->capture_default_str();
+  app.add_flag("--times", options->times, "Tell at the end what the first frame and all others took")->excludes(script);
   app.add_option("--state", options->state, "Keep settings, progress and autosaves in this folder, not in XDG's");
   app.footer(
       "Without FILE the start page shows the lessons and exercises. ? in the window lists the keys.\n"

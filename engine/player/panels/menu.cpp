@@ -71,7 +71,8 @@ void draw_menus(Ui& ui, const std::vector<Entry>& entries) {
     ui.thing("menu " + entries[i].popup);
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     places.push_back({low.x, high.y + ui.px(2)});
-    if (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible && open == entries.size() && key_pressed(ImGuiKey_DownArrow))
+    if (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible && open == entries.size() &&
+        key_pressed(ImGuiKey_DownArrow))
       wanted = i;
     const ImVec2 moved = ImGui::GetIO().MouseDelta;
     if (open < entries.size() && open != i && (moved.x != 0 || moved.y != 0) &&
@@ -131,7 +132,8 @@ std::vector<RightItem> right_items(const Ui& ui) {
   const bool open = ui.player().session() != nullptr;
   std::vector<RightItem> items;
   if (open && !ui.player().lost_work().empty())
-    items.push_back({button_width("Recover edits ..."), 9, [](Ui& u) { u.action_button("file.recover", "Recover edits ..."); }});
+    items.push_back(
+        {button_width("Recover edits ..."), 9, [](Ui& u) { u.action_button("file.recover", "Recover edits ..."); }});
   if (open)
     items.push_back({2 * icon + ui.px(2), 6, [](Ui& u) {
                        u.icon_button("edit.undo", "undo");
@@ -228,13 +230,8 @@ double wanted(const Ui&, double) { return 44; }
 }  // namespace
 
 const Panel& panel_menu() {
-  static const Panel panel{.id = "menu",
-                           .title = "Menu",
-                           .slot = Slot::bar,
-                           .order = 0,
-                           .draw = draw,
-                           .height = wanted,
-                           .widgets = true};
+  static const Panel panel{
+      .id = "menu", .title = "Menu", .slot = Slot::bar, .order = 0, .draw = draw, .height = wanted, .widgets = true};
   return panel;
 }
 

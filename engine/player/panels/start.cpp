@@ -1,4 +1,6 @@
-// What one sees while nothing is open: where one was, and the lessons and exercises with pictures of what they are about.
+// What one sees while nothing is open: where one was, and the lessons and exercises with pictures of what they are
+// about.
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <cmath>
@@ -70,16 +72,13 @@ float card_height(const Ui& ui) {
          static_cast<float>(most_summary) * line_height(ui.small()) + line_height(ui.small());
 }
 
-float draw_lines(const Ui& ui, ImFont* font, ImU32 color, ImVec2 at, float width, std::size_t most,
-                 const std::string& text) {
-  (void)ui;
+void draw_lines(ImFont* font, ImU32 color, ImVec2 at, float width, std::size_t most, const std::string& text) {
   ImGui::PushFont(font);
   for (const std::string& line : wrapped(text, width, most)) {
     ImGui::GetWindowDrawList()->AddText(at, color, line.c_str());
     at.y += line_height(font);
   }
   ImGui::PopFont();
-  return at.y;
 }
 
 std::string what_was_done(const ShelfItem& item, const Progress* progress) {
@@ -111,9 +110,13 @@ void draw_card(Ui& ui, const ShelfItem& item, ImVec2 at, ImVec2 size) {
   ImGui::SetCursorScreenPos(at);
   const std::string name = card_name(item);
   if (ImGui::InvisibleButton(name.c_str(), size)) ui.send([file = item.file](Player& player) { player.open(file); });
-  ui.thing(name);
   const ImVec2 high{at.x + size.x, at.y + size.y};
   if (!ImGui::IsRectVisible(at, high)) return;
+  // The part of it that one can click.
+  const ImVec2 clip_low = ImGui::GetWindowDrawList()->GetClipRectMin(),
+               clip_high = ImGui::GetWindowDrawList()->GetClipRectMax();
+  ui.thing(name, {std::max(at.x, clip_low.x), std::max(at.y, clip_low.y)},
+           {std::min(high.x, clip_high.x), std::min(high.y, clip_high.y)});
   const bool hovered = ImGui::IsItemHovered(), focused = ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, high, ui.color(Role::panel), ui.px(8));
@@ -136,9 +139,9 @@ void draw_card(Ui& ui, const ShelfItem& item, ImVec2 at, ImVec2 size) {
     ImGui::PopFont();
   }
   float y = picture_high.y + ui.px(8);
-  draw_lines(ui, ui.bold(), ui.ink(Role::text), {inner.x, y}, width, most_titles, item.title);
+  draw_lines(ui.bold(), ui.ink(Role::text), {inner.x, y}, width, most_titles, item.title);
   y += static_cast<float>(most_titles) * line_height(ui.bold()) + ui.px(4);
-  draw_lines(ui, ui.small(), ui.ink(Role::text_quiet), {inner.x, y}, width, most_summary, item.summary);
+  draw_lines(ui.small(), ui.ink(Role::text_quiet), {inner.x, y}, width, most_summary, item.summary);
   draw_foot(ui, item, {inner.x, high.y - ui.px(pad) - ui.px(6) - line_height(ui.small())},
             {inner.x + width, high.y - ui.px(pad)});
   const Role edge = focused ? Role::focus : (hovered ? Role::current : Role::rule_line);
@@ -291,7 +294,7 @@ void draw(Ui& ui) {
   const float room = ImGui::GetContentRegionAvail().x;
   const float width = std::min(room - 2 * ui.px(8), ui.px(widest));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::round((room - width) / 2));
-  ImGui::BeginChild("page", {width, 0}, false, ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar);
+  ImGui::BeginChild("page", {width, 0}, false, ImGuiWindowFlags_NavFlattened);
   ImGui::Dummy({0, ui.px(6)});
   large_text(ui, "Blossom", 2.1);
   quiet_text(ui, "Watch an algorithm for curves and surfaces work, step by step, on points that you can move.");
@@ -306,8 +309,8 @@ void draw(Ui& ui) {
   } else if (items.empty()) {
     quiet_text(ui, "No lessons were found here. Open a file, or drop one onto this window.");
   } else if (std::ranges::none_of(items, [](const Item& item) {
-               return contains(item->title, search) || contains(item->unit, search) || contains(item->summary, search) ||
-                      contains(item->file.stem().string(), search);
+               return contains(item->title, search) || contains(item->unit, search) ||
+                      contains(item->summary, search) || contains(item->file.stem().string(), search);
              })) {
     quiet_text(ui, "Nothing is called so.");
   }

@@ -140,8 +140,10 @@ void buttons(Ui& ui, const Session& session) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("the step one is at, of all\nG goes to a step or a value");
 
   // At the right, if there is room: bookmark, loop, speed.
-  const float speed_width = ui.px(120), icons = 2 * (ImGui::GetFrameHeight() * 1.12f + ui.px(4));
-  const float wanted = speed_width + icons + ui.px(20);
+  char speed[32];
+  std::snprintf(speed, sizeof speed, "%gx", ui.player().settings.speed);
+  const float square = ImGui::GetFrameHeight() * 1.12f, room = ImGui::CalcTextSize("0.0x").x + ui.px(12);
+  const float wanted = 4 * (square + ui.px(4)) + room + ui.px(24);
   ImGui::SameLine();
   if (ImGui::GetContentRegionAvail().x < wanted) return;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - wanted);
@@ -149,14 +151,17 @@ void buttons(Ui& ui, const Session& session) {
   const bool marked = std::find(marks.begin(), marks.end(), session.step()) != marks.end();
   next("step.bookmark", marked ? "bookmarked" : "bookmark", marked);
   next("step.loop", "loop", timeline.loop().has_value());
-  ImGui::SameLine(0, ui.px(8));
-  ImGui::SetNextItemWidth(speed_width);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetFrameHeight() * 0.06f);
-  auto speed = static_cast<float>(ui.player().settings.speed);
-  if (ImGui::SliderFloat("##speed", &speed, 0.1f, 10, "speed %.1fx", ImGuiSliderFlags_Logarithmic))
-    ui.send([speed](Player& p) { p.settings.speed = std::clamp(std::round(static_cast<double>(speed) * 10) / 10, 0.1, 10.0); });
+  ImGui::SameLine(0, ui.px(16));
+  next("step.slower", "minus");
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::AlignTextToFramePadding();
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + (room - ImGui::CalcTextSize(speed).x) / 2);
+  ImGui::TextUnformatted(speed);
   ui.thing("timeline speed");
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("steps a second while it plays   + and -");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("steps a second while it plays");
+  ImGui::SameLine();
+  ImGui::SetCursorScreenPos({at.x + room, at.y});
+  next("step.faster", "plus");
 }
 
 void draw(Ui& ui) {

@@ -1,25 +1,276 @@
-// The picture: looked at by dragging and turning the wheel, edited by dragging control points.
+// The picture: looked at by dragging and turning the wheel, edited by dragging control points, clicked to predict.
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 
+#include "player/panels/mouse.hpp"
 #include "player/ui/panel.hpp"
-#include "player/ui/ui.hpp"
 
 namespace blossom {
 namespace {
 
+constexpr double margin = 8;           // of what stands in the corners
+constexpr double wheel_factor = 1.15;  // a notch
+
+// ---- what one predicts ----------------------------------------------------------------------------------------------
+
+void add_guess(View& view, const glm::dvec3& at, Role role, const std::string& words) {
+  view.markers.push_back({at, role, Marker::Shape::ring, 1.3});
+  view.markers.push_back({at, role, Marker::Shape::cross, 1});
+  Label label;
+  label.anchor = at;
+  label.text = {{words, TextRun::Level::base, false, true}};
+  label.role = role;
+  label.placement = Label::Placement::around;
+  label.priority = 60;
+  view.labels.push_back(std::move(label));
+}
+
+void add_guesses(View& view, const Player& player) {
+  const Session& session = *player.session();
+  const Prediction* prediction = session.prediction();
+  if (prediction == nullptr) return;
+  if (player.asks_place()) {
+    const auto question = player.asked();
+    if (const auto at = player.said_place(*question))
+      add_guess(view, *at, Role::highlight, prediction->questions()[*question].name + " ?");
+  }
+  if (prediction->veiled(session.step())) return;
+  for (std::size_t q = 0; q < prediction->questions().size(); ++q) {
+    const Question& question = prediction->questions()[q];
+    if (question.step != session.step()) continue;
+    const auto at = player.said_place(q);
+    const auto mark = prediction->mark(q);
+    if (!at || !mark) continue;
+    const bool right = mark->verdict == Verdict::correct || mark->verdict == Verdict::carried;
+    const auto& place = session.recording().source().points[question.value];
+    if (!right && place) {
+      Polyline line;
+      line.points = {*at, *place};
+      line.role = Role::mistake;
+      line.dashed = true;
+      view.polylines.push_back(std::move(line));
+    }
+    add_guess(view, *at, right ? Role::right : Role::mistake, right ? "✓" : "✗");
+  }
+}
+
+// Where a click means in the world: in the plane through the operands that faces the view.
+std::optional<glm::dvec3> clicked_place(const Player& player, ViewSize size, glm::dvec2 at) {
+  const Session& session = *player.session();
+  const StepSource& source = session.recording().source();
+  const Question& question = session.prediction()->questions()[*player.asked()];
+  glm::dvec3 sum{0, 0, 0};
+  double count = 0;
+  for (const ValueId v : source.graph->operands(question.value))
+    if (source.points[v]) sum += *source.points[v], count += 1;
+  return to_world(player.shown_camera(), size, at, count > 0 ? sum / count : player.shown_camera().centre);
+}
+
+// ---- looking and dragging -------------------------------------------------------------------------------------------
+
+// The line along which a point is held.
+void add_axis_of_drag(View& view, const Player& player) {
+  const auto* grip = player.held() != nullptr ? std::get_if<PointGrip>(player.held()) : nullptr;
+  if (grip == nullptr || !player.held_keys().along) return;
+  const auto axis = grip->axis(player.held_at());
+  const Session& session = *player.session();
+  const auto v = value_of(session.recording().graph(), session.inputs(), grip->address());
+  const auto at = v ? session.recording().source().points[*v] : std::nullopt;
+  if (!axis || !at) return;
+  Polyline line;
+  glm::dvec3 reach{0, 0, 0};
+  reach[*axis] = view.camera.height;
+  line.points = {*at - reach, *at, *at + reach};
+  line.role = Role::highlight;
+  line.width_scale = 0.6;
+  line.dashed = true;
+  view.polylines.push_back(std::move(line));
+}
+
+bool holds_parameter(const Player& player) {  // which is not of this panel
+  return player.held() != nullptr &&
+         (std::holds_alternative<KnotGrip>(*player.held()) || std::holds_alternative<ParameterGrip>(*player.held()));
+}
+
+void handle_mouse(Ui& ui, const Mouse& mouse, const std::vector<Spot>& spots) {
+  const Player& player = ui.player();
+  const Session& session = *player.session();
+  const ImGuiIO& io = ImGui::GetIO();
+  if (player.holding()) {
+    // The button is let go wherever the mouse is then, and whatever it holds.
+    if (!ImGui::IsMouseDown(0) && !ImGui::IsMouseDown(2)) {
+      ui.send([](Player& p) { p.let_go(); });
+      return;
+    }
+    if (player.held() != nullptr && !holds_parameter(player)) send_drag(ui, mouse.now(), grip_keys(player));
+    return;
+  }
+  const Camera camera = player.shown_camera();
+  const bool spatial = camera.kind == Camera::Kind::orbit;
+  for (const int button : {0, 2}) {
+    if (!mouse.owns(button) || !mouse.dragged(button)) continue;
+    const glm::dvec2 at = mouse.pressed(button);
+    const Spot* spot = button == 0 ? spot_at(spots, at) : nullptr;
+    Grip grip = LookGrip{camera, mouse.size, at, spatial && button == 0 && !io.KeyShift};
+    if (spot != nullptr) grip = grip_of_value(session, spot->link.id, camera, mouse.size, at);
+    ui.send([grip, now = mouse.now(), keys = grip_keys(player)](Player& p) {
+      if (p.take(grip)) p.drag(now, keys);
+    });
+    return;
+  }
+  if (!mouse.over()) return;
+  const Spot* spot = spot_at(spots, mouse.now());
+  if (io.MouseWheel != 0) {
+    const Camera closer = zoomed(camera, mouse.size, mouse.now(), std::pow(wheel_factor, io.MouseWheel));
+    ui.send([closer](Player& p) { p.set_camera(closer); });
+  }
+  if (spot != nullptr && address_of(session.recording().graph(), session.inputs(), spot->link.id))
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (player.asks_place()) {
+    if (ImGui::IsMouseReleased(0) && !mouse.dragged(0) && mouse.inside(mouse.pressed(0))) {
+      // On a point one means that point.
+      const auto& points = session.recording().source().points;
+      const auto place = spot != nullptr && points[spot->link.id] ? points[spot->link.id]
+                                                                  : clicked_place(player, mouse.size, mouse.now());
+      if (place) ui.send([place](Player& p) { p.predict_click(*place); });
+    }
+  } else if (spot == nullptr && ImGui::IsMouseDoubleClicked(0)) {
+    ui.act("view.fit");
+  }
+}
+
+// What keys do to what is held.
+std::string hint(const Player& player) {
+  const GripKeys keys = player.held_keys();
+  const bool point = std::holds_alternative<PointGrip>(*player.held());
+  std::string words;
+  if (point) words += keys.along ? "Along an axis" : "Shift: along an axis";
+  if (std::holds_alternative<KnotGrip>(*player.held()))
+    words += keys.along ? "All equal knots" : "Shift: all equal knots";
+  const std::string where = point ? "on the grid" : "simple fractions";
+  words += (words.empty() ? "" : "   ·   ") + (keys.snap ? "snaps: " : std::string("Ctrl: ")) + where;
+  return words + "   ·   Esc: put it back";
+}
+
+// What is held, in words beside it.
+void draw_held(Ui& ui, const Mouse& mouse, ImVec2 low, ImVec2 high) {
+  const Player& player = ui.player();
+  const Session& session = *player.session();
+  if (player.held() == nullptr || std::holds_alternative<LookGrip>(*player.held())) return;
+  const StepSource& source = session.recording().source();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto beside = [&](glm::dvec2 at) {
+    return ImVec2{mouse.origin.x + ui.px(at.x + 14), mouse.origin.y + ui.px(at.y + 14)};
+  };
+  if (const auto* stuck = std::get_if<StuckGrip>(player.held())) {
+    draw_tag(ui, list, beside(player.held_at()), stuck->why, Role::text, low, high);
+    if (const auto v = source.graph->find(stuck->name)) ui.light({Link::Kind::value, *v}, "viewport");
+    return;
+  }
+  draw_tag(ui, list, {low.x, high.y}, hint(player), Role::text_quiet, low, high);
+  const auto* point = std::get_if<PointGrip>(player.held());
+  if (point == nullptr) return;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  const auto v = value_of(*source.graph, session.inputs(), point->address());
+  const auto at =
+      v && source.points[*v] ? to_page(player.shown_camera(), mouse.size, *source.points[*v]) : std::nullopt;
+  if (!at) return;
+  ui.light({Link::Kind::value, *v}, "viewport");
+  const bool refused = !session.rejected().empty();
+  draw_tag(ui, list, beside(*at),
+           refused ? session.rejected()[0].message : point->name() + " = " + source.value_text(*v),
+           refused ? Role::mistake : Role::text, low, high);
+}
+
+// ---- corners --------------------------------------------------------------------------------------------------------
+
+struct Tool {
+  std::string_view action;
+  const char* label;
+};
+constexpr std::array<Tool, 3> plane_tools = {{{"view.fit", "Fit"}, {"view.grid", "Grid"}, {"edit.snap", "Snap"}}};
+constexpr std::array<Tool, 4> space_tools = {
+    {{"view.perspective", "Perspective"}, {"view.xy", "xy"}, {"view.xz", "xz"}, {"view.yz", "yz"}}};
+
+void draw_tools(Ui& ui, std::span<const Tool> tools, ImVec2 low, ImVec2 high) {
+  const float pad = ui.px(6), gap = ui.px(3);
+  float width = -gap;
+  for (const Tool& tool : tools) width += ImGui::CalcTextSize(tool.label).x + 2 * pad + gap;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, ui.px(2)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+  ImGui::SetCursorScreenPos({std::max(low.x, high.x - width), low.y});
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    ui.action_button(tools[i].action, tools[i].label);
+  }
+  ImGui::PopStyleVar(2);
+}
+
+// The three axes as the camera sees them.
+void draw_triad(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 high) {
+  const ViewAxes axes = axes_of(camera);
+  const float reach = ui.px(24);
+  const ImVec2 middle{high.x - reach - ui.px(12), high.y - reach - ui.px(12)};
+  if (middle.x < low.x + 2 * reach || middle.y < low.y + 4 * reach) return;
+  std::array<int, 3> order = {0, 1, 2};  // what points away is drawn first
+  std::ranges::sort(order, {}, [&](int axis) { return axes.toward[axis]; });
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImFont* font = ui.small();
+  for (const int axis : order) {
+    const glm::dvec2 seen{axes.right[axis], -axes.up[axis]};
+    const double length = glm::length(seen);
+    const ImVec2 end{middle.x + static_cast<float>(seen.x) * reach, middle.y + static_cast<float>(seen.y) * reach};
+    if (length > 0.05) list.AddLine(middle, end, ui.color(Role::text_quiet), ui.px(2));
+    const char name[] = {"xyz"[axis], 0};
+    const ImVec2 room = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, name);
+    // An axis that runs toward the viewer has its letter beside the middle.
+    const glm::dvec2 way = length > 0.05 ? seen / length : glm::dvec2{-1, 1};
+    const ImVec2 at{end.x + static_cast<float>(way.x) * ui.px(8), end.y + static_cast<float>(way.y) * ui.px(8)};
+    list.AddText(font, font->FontSize, {at.x - room.x / 2, at.y - room.y / 2}, ui.ink(Role::text), name);
+  }
+}
+
 void draw(Ui& ui) {
   const Player& player = ui.player();
   const Session& session = *player.session();
-  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const ImVec2 room = ImGui::GetContentRegionAvail(), origin = ImGui::GetCursorScreenPos();
   const ViewSize size{ui.units(room.x), ui.units(room.y)};
-  ui.send([size](Player& p) { p.set_view_size(size); });
+  if (size.width < 1 || size.height < 1) return;
+  if (size.width != player.view_size().width || size.height != player.view_size().height)
+    ui.send([size](Player& p) { p.set_view_size(size); });
   ViewportOptions options;
   options.camera = player.shown_camera();
   options.emphasis = player.emphasis();
   options.motion = player.motion();
   options.grid = player.settings.grid;
-  ui.sheet("viewport", session.recording().scenes().viewport(session.step(), size.width, size.height, options),
-           size.width, size.height);
+  Sheet sheet = session.recording().scenes().viewport(session.step(), size.width, size.height, options);
+  add_guesses(sheet.view, player);
+  add_axis_of_drag(sheet.view, player);
+  const std::vector<Spot> spots = sheet.spots;
+
+  const ImVec2 low{origin.x + ui.px(margin), origin.y + ui.px(margin)};
+  const ImVec2 high{origin.x + room.x - ui.px(margin), origin.y + room.y - ui.px(margin)};
+  const bool asks = player.asks_place();
+  const Spot* found = ui.sheet("viewport", std::move(sheet), size.width, size.height, {.clickable = !asks});
+  if (asks && found != nullptr && ImGui::IsMouseClicked(1)) ui.open_menu(found->link);
+
+  ImGui::PushFont(ui.small());
+  draw_tools(ui, plane_tools, low, high);
+  if (options.camera->kind == Camera::Kind::orbit) {
+    draw_tools(ui, space_tools, {low.x, ImGui::GetItemRectMax().y + ui.px(3)}, high);
+    draw_triad(ui, *options.camera, low, high);
+  }
+  ImGui::PopFont();
+
+  const Mouse mouse{ui, origin, size};
+  handle_mouse(ui, mouse, spots);
+  draw_held(ui, mouse, low, high);
+  if (asks && player.held() == nullptr) {
+    const std::string name = session.prediction()->questions()[*player.asked()].name;
+    draw_tag(ui, *ImGui::GetWindowDrawList(), low, "Where will " + name + " be? Click there.", Role::text, low, high);
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 
 #include "base/utf8.hpp"
@@ -53,7 +54,7 @@ float dialog_room(const Ui& ui, float below) {
 }
 
 void close_dialog(Ui& ui) {
-  ui.send([](Player& player) { player.dialog = Dialog::none; });
+  ui.send([](Player& player) { player.cancel_dialog(); });
 }
 
 // ---- its parts ------------------------------------------------------------------------------------------------------
@@ -125,8 +126,8 @@ bool choice(Ui& ui, const std::string& label, const std::string& detail, const s
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, pad = ui.px(6);
   ImGui::PushID(name.c_str());
-  const bool pressed = ImGui::Selectable("##choice", chosen, enabled ? 0 : ImGuiSelectableFlags_Disabled,
-                                         {0, ImGui::GetFrameHeight()});
+  const bool pressed =
+      ImGui::Selectable("##choice", chosen, enabled ? 0 : ImGuiSelectableFlags_Disabled, {0, ImGui::GetFrameHeight()});
   ImGui::PopID();
   if (ImGui::IsItemVisible()) ui.thing(name);
   if (scroll_to) ImGui::SetScrollHereY();
@@ -139,8 +140,7 @@ bool choice(Ui& ui, const std::string& label, const std::string& detail, const s
   const float right_width = right.empty() ? 0 : ImGui::CalcTextSize(right.c_str()).x + pad;
   const std::string left = shortened(label, room - right_width - 3 * pad);
   list.AddText({at.x + 1.5f * pad, y}, ui.ink(enabled ? Role::text : Role::text_quiet), left.c_str());
-  if (!right.empty())
-    list.AddText({at.x + room - right_width, y}, ui.ink(Role::text_quiet), right.c_str());
+  if (!right.empty()) list.AddText({at.x + room - right_width, y}, ui.ink(Role::text_quiet), right.c_str());
   return pressed;
 }
 
@@ -173,8 +173,8 @@ std::vector<std::string> wrapped(const std::string& text, float pixels, std::siz
       lines.push_back(shortened(std::string(from, end), pixels));
       break;
     }
-    const char* to = ImGui::GetFont()->CalcWordWrapPositionA(ImGui::GetFontSize() / ImGui::GetFont()->FontSize, from, end,
-                                                             pixels);
+    const char* to =
+        ImGui::GetFont()->CalcWordWrapPositionA(ImGui::GetFontSize() / ImGui::GetFont()->FontSize, from, end, pixels);
     if (to == from) to += std::max<std::size_t>(utf8_length(text, static_cast<std::size_t>(from - text.c_str())), 1);
     lines.emplace_back(from, to);
     from = to;
@@ -194,7 +194,8 @@ bool contains(std::string_view text, std::string_view part) {
 
 fs::path typed_path(const fs::path& folder, const std::string& text) {
   const char* home = std::getenv("HOME");
-  if (home != nullptr && (text == "~" || text.starts_with("~/"))) return fs::path(home) / text.substr(std::min<std::size_t>(text.size(), 2));
+  if (home != nullptr && (text == "~" || text.starts_with("~/")))
+    return fs::path(home) / text.substr(std::min<std::size_t>(text.size(), 2));
   return (folder / text).lexically_normal();
 }
 

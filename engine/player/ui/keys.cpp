@@ -136,6 +136,7 @@ bool Ui::shortcut(const std::string& key) {
     }
     context_->NavDisableHighlight = true;
     send([](Player& player) {
+      if (player.put_back()) return;  // what the mouse holds
       player.pin({});
       player.focused = {};
       player.focus.clear();

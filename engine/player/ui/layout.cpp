@@ -71,7 +71,7 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
     for (std::size_t i = 0; i < stacked.size(); ++i) {
       const double wish_height = wanted(*stacked[i], side_width);
       const bool last = i + 1 == stacked.size();
-      const double height = last ? left : std::min(wish_height, left * 0.62);
+      const double height = last ? left : std::min(wish_height, std::max(left - 96, left * 0.6));
       layout.placed.push_back({stacked[i], {x, y, side_width, std::max(height - gap, 0.0)}});
       y += height;
       left -= height;
@@ -95,8 +95,7 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
     kept.emplace_back(panel, height);
     strip_room -= height;
   }
-  std::stable_sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.first->order < b.first->order; });
-  // Kept by importance (order), stacked from the bottom: the most important stands lowest.
+  // The most important stands lowest.
   for (const auto& [panel, height] : kept) {
     main_bottom -= height;
     layout.placed.push_back({panel, {gap, main_bottom, main_width, height}});

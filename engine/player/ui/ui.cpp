@@ -65,6 +65,8 @@ void Ui::act(std::string_view action) {
 // ---- a frame --------------------------------------------------------------------------------------------------------
 
 void Ui::frame(double seconds, bool drawn) {
+  Stopwatch watch;
+  frame_parts_ = {};
   ImGui::SetCurrentContext(context_);
   const auto theme = find_theme(player_->settings.theme);
   const Theme* wanted = theme ? *theme : &light_theme();
@@ -93,13 +95,17 @@ void Ui::frame(double seconds, bool drawn) {
     send([link = hovered_, panel = hovered_panel_](Player& player) { player.hover(link, panel); });
     redraw();
   }
+  frame_parts_.panels = watch.lap();
   if (drawn) paint();
+  watch.lap();
   // What was sent is seen in the next frame.
   if (!sent_.empty()) redraw();
   for (const auto& what : std::exchange(sent_, {})) what(*player_);
+  frame_parts_.changes = watch.lap();
 }
 
 void Ui::paint() {
+  Stopwatch watch;
   const ImDrawData& data = *ImGui::GetDrawData();
   Frame frame;
   frame.width = width_;
@@ -132,7 +138,10 @@ void Ui::paint() {
                                {list.IdxBuffer.Data + command.IdxOffset, command.ElemCount}, clip);
     }
   }
+  frame_parts_.painting = watch.lap();
+  Stopwatch clock(CLOCK_MONOTONIC);
   canvas_->finish();
+  frame_parts_.drawing = clock.lap();
 }
 
 Checked<bool> Ui::save_picture(const Scene& scene, const std::filesystem::path& file) {

@@ -12,6 +12,7 @@
 
 #include "player/player.hpp"
 #include "player/ui/event.hpp"
+#include "player/ui/frame_parts.hpp"
 #include "player/ui/layout.hpp"
 #include "render/font.hpp"
 #include "render/gl_canvas.hpp"
@@ -41,6 +42,7 @@ class Ui {
   void frame(double seconds, bool drawn = true);
   void redraw() { frames_wanted_ = std::max(frames_wanted_, 2); }
   GlCanvas& canvas() { return *canvas_; }
+  const FrameParts& frame_parts() const { return frame_parts_; }  // what the last frame took
   ImGuiMouseCursor cursor() const { return cursor_; }
   bool wants_text() const;
   bool settling() const { return frames_wanted_ > 0 || !events_.empty(); }  // without what merely moves
@@ -73,6 +75,8 @@ class Ui {
   ImVec2 picture(View, double width, double height, std::string_view name);
   // A sheet likewise, with its spots alive: hovering lights, clicking pins. What the mouse is over, or nullptr.
   const Spot* sheet(std::string_view panel, Sheet, double width, double height, const SheetOptions& = {});
+  // As if the mouse were over it.
+  void light(const Link& link, std::string_view panel) { hovered_ = link, hovered_panel_ = panel; }
   // The menu of a value: what can be done with it. Called by whoever right-clicks.
   void open_menu(const Link&);
   // Names ImGui's last item (or a rectangle in pixels) for scripts.
@@ -123,6 +127,7 @@ class Ui {
   std::map<std::string, PixelRect> things_;
   std::string focus_request_;
   bool swallow_text_ = false;
+  FrameParts frame_parts_;
   ImGuiMouseCursor cursor_ = ImGuiMouseCursor_Arrow;
 
   // Pictures of this frame: ImGui's draw lists refer to them by number.

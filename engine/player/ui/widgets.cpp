@@ -55,7 +55,7 @@ void draw_icon(ImDrawList& list, std::string_view icon, ImVec2 c, float r, ImU32
   };
   if (icon == "first") bar(-0.95, 0.3), triangle(0.85, -1.4);
   if (icon == "back") triangle(0.6, -1.3);
-  if (icon == "play") triangle(-0.65, 1.6);
+  if (icon == "play") list.AddTriangleFilled(at(-0.7, -1), at(-0.7, 1), at(1.05, 0), color);
   if (icon == "pause") bar(-0.7, 0.45), bar(0.25, 0.45);
   if (icon == "forward") triangle(-0.6, 1.3);
   if (icon == "last") triangle(-0.85, 1.4), bar(0.65, 0.3);
@@ -97,6 +97,8 @@ void draw_icon(ImDrawList& list, std::string_view icon, ImVec2 c, float r, ImU32
   if (icon == "fit")
     for (const double x : {-1.0, 1.0})
       for (const double y : {-1.0, 1.0}) stroke({at(0.85 * x, 0.3 * y), at(0.85 * x, 0.85 * y), at(0.3 * x, 0.85 * y)});
+  if (icon == "minus" || icon == "plus") stroke({at(-0.7, 0), at(0.7, 0)});
+  if (icon == "plus") stroke({at(0, -0.7), at(0, 0.7)});
   if (icon == "close") stroke({at(-0.7, -0.7), at(0.7, 0.7)}), stroke({at(0.7, -0.7), at(-0.7, 0.7)});
 }
 
@@ -178,7 +180,7 @@ std::vector<Word> words_of(const std::string& text, const TraceGraph& graph, std
       continue;
     }
     const std::string_view rest = std::string_view(text).substr(i);
-    const bool at_word = i == 0 || !is_name_letter(text[i - 1]);
+    const bool at_word = i == 0 || (!is_name_letter(text[i - 1]) && text[i - 1] != '\'');
     if (const std::size_t length = at_word ? name_length(rest) : 0; length > 0) {
       const std::string name(rest.substr(0, length));
       std::optional<ValueId> value;
@@ -193,13 +195,20 @@ std::vector<Word> words_of(const std::string& text, const TraceGraph& graph, std
     }
     std::size_t end = i + 1;
     while (end < text.size() && text[end] != ' ' && text[end] != '\n' &&
-           !(std::isalpha(static_cast<unsigned char>(text[end])) != 0 && !is_name_letter(text[end - 1])))
+           !(std::isalpha(static_cast<unsigned char>(text[end])) != 0 && !is_name_letter(text[end - 1]) &&
+             text[end - 1] != '\''))
       ++end;
     add(text.substr(i, end - i), std::nullopt);
     i = end;
   }
   return words;
 }
+
+struct Piece {  // a word, set
+  RichText text;
+  double width = 0;
+  bool lit = false;
+};
 
 }  // namespace
 
@@ -211,35 +220,51 @@ Sheet Ui::flow(const std::string& text, double width, double size, Role role, do
   const Emphasis& emphasis = player_->emphasis();
   const double em = (*theme_)[role].text_size * size;
   const double line = em * 1.5, blank = fonts_->width({}, " ") * em;
+  const auto set_word = [&](const Word& word) {
+    // The s of "Boor's" is not the multiplicity.
+    const bool plain = word.text.starts_with('\'') && !word.blank_before;
+    Piece piece{plain ? RichText{{word.text}} : typeset_text(word.text, algorithm), 0,
+                word.value && emphasis.lights(*word.value)};
+    if (piece.lit)
+      for (TextRun& run : piece.text) run.bold = true;
+    piece.width = set_text(*fonts_, piece.text, em, TextAlign::left).width;
+    return piece;
+  };
   double x = 0, baseline = em * 1.05;
-  for (const Word& word : words_of(text, session.recording().graph(), values ? session.step() : 0)) {
-    RichText rich = typeset_text(word.text, algorithm);
-    const bool lit = word.value && emphasis.lights(*word.value);
-    const bool share = word.value && emphasis.share(*word.value) != 0;
-    if (lit)
-      for (TextRun& run : rich) run.bold = true;
-    const TextBlock block = set_text(*fonts_, rich, em, TextAlign::left);
-    if (word.line_before) x = 0, baseline += line;
-    if (word.blank_before && x > 0) x += blank;
-    if (x > 0 && x + block.width > width) x = 0, baseline += line;
-    Label label;
-    label.anchor = {x, baseline, 0};
-    label.text = std::move(rich);
-    label.role = lit ? Role::highlight : role;
-    label.size_scale = size;
-    if (word.value) {
-      const double top = baseline - em * 1.0, bottom = baseline + em * 0.42;
-      if (lit || share)
-        sheet.view.polygons.push_back({{{x - 2, top, 0}, {x + block.width + 2, top, 0}, {x + block.width + 2, bottom, 0},
-                                        {x - 2, bottom, 0}},
-                                       Role::highlight,
-                                       lit ? 0.22 : 0.1});
-      if (values)
-        sheet.spots.push_back({{Link::Kind::value, *word.value}, x - 2, top, block.width + 4, bottom - top,
-                               source.graph->name(*word.value)});
+  const std::vector<Word> words = words_of(text, session.recording().graph(), values ? session.step() : 0);
+  // A line breaks at blanks only: what follows without one (a bracket, a full stop) comes along.
+  for (std::size_t begin = 0, end = 0; begin < words.size(); begin = end) {
+    std::vector<Piece> pieces;
+    double cluster = 0;
+    do {
+      pieces.push_back(set_word(words[end]));
+      cluster += pieces.back().width;
+      ++end;
+    } while (end < words.size() && !words[end].blank_before && !words[end].line_before);
+    if (words[begin].line_before) x = 0, baseline += line;
+    if (words[begin].blank_before && x > 0) x += blank;
+    if (x > 0 && x + cluster > width) x = 0, baseline += line;
+    for (std::size_t i = begin; i < end; ++i) {
+      Piece& piece = pieces[i - begin];
+      if (x > 0 && x + piece.width > width) x = 0, baseline += line;  // wider than a line by itself
+      if (const auto& value = words[i].value) {
+        const double top = baseline - em * 1.0, bottom = baseline + em * 0.42, right = x + piece.width + 2;
+        if (piece.lit || emphasis.share(*value) != 0)
+          sheet.view.polygons.push_back({{{x - 2, top, 0}, {right, top, 0}, {right, bottom, 0}, {x - 2, bottom, 0}},
+                                         Role::highlight,
+                                         piece.lit ? 0.22 : 0.1});
+        if (values)
+          sheet.spots.push_back({{Link::Kind::value, *value}, x - 2, top, piece.width + 4, bottom - top,
+                                 source.graph->name(*value)});
+      }
+      Label label;
+      label.anchor = {x, baseline, 0};
+      label.text = std::move(piece.text);
+      label.role = piece.lit ? Role::highlight : role;
+      label.size_scale = size;
+      sheet.view.labels.push_back(std::move(label));
+      x += piece.width;
     }
-    sheet.view.labels.push_back(std::move(label));
-    x += block.width;
   }
   height = baseline + em * 0.5;
   return sheet;
@@ -273,6 +298,10 @@ void Ui::draw_menu() {
       player.desk().set_clipboard(text);
       player.notice("Copied: " + text);
     });
+    if (const auto point = address_of(*source.graph, session->inputs(), v)) {
+      item("Add a point behind", [at = *point](Player& player) { player.add_point_behind(at); });
+      item("Delete this point", [at = *point](Player& player) { player.remove_point(at); });
+    }
     ImGui::Separator();
   }
   const bool pinned = player_->is_pinned(menu_link_);

@@ -130,7 +130,12 @@ class Events {
       self(w).mods_ = mods;
       Event event = with(mods, action == GLFW_RELEASE ? Event::Kind::key_up : Event::Kind::key_down);
       event.text = name_of_key(key, scancode);
-      if (!event.text.empty()) self(w).ui_->feed(event);
+      // Of a modifier's own key GLFW says what was held before. What is dragged follows it.
+      const bool shift = key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT;
+      const bool ctrl = key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL;
+      if (shift) event.shift = action != GLFW_RELEASE;
+      if (ctrl) event.ctrl = action != GLFW_RELEASE;
+      if (shift || ctrl || !event.text.empty()) self(w).ui_->feed(event);
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int c) {
       Event event;
@@ -199,12 +204,17 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-Diagnostics play_in_window(const PlayerOptions& options, const Start& start) {
+Diagnostics play_in_window(const PlayerOptions& options, const Start& start, FrameTimes* times) {
+  const auto started = [&](const char* what) {
+    if (times != nullptr) times->started(what);
+  };
+  started("process, reading the file");
   const auto fault = [](std::string message) { return Diagnostics{{"", 0, 0, "", std::move(message)}}; };
   Library library;
   if (!library.ready)
     return fault("there is no display for a window (" + glfw_says() +
                  "); `blossom step` steps in the terminal, `blossom render` draws to files");
+  started("GLFW");
   Diagnostics unread;
   const Settings remembered = sane(load_settings(options.places, unread));
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -219,6 +229,7 @@ Diagnostics play_in_window(const PlayerOptions& options, const Start& start) {
   glfwSetWindowSizeLimits(window, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window);
   glfwSwapInterval(1);
+  started("window, OpenGL");
   const auto gl = load_gl_functions([](const char* name) { return glfwGetProcAddress(name); });
   if (!gl) return gl.diagnostics;
   auto fonts = Fonts::load();
@@ -226,11 +237,14 @@ Diagnostics play_in_window(const PlayerOptions& options, const Start& start) {
 
   GlfwDesk desk(window);
   Player player(options, desk);
+  started("fonts, settings");
   auto ui = Ui::create(player, *gl, false, *fonts);
   if (!ui) return ui.diagnostics;
   desk.ui = ui->get();
   Events events(window, **ui);
+  started("shaders");
   start(player);
+  started("recording");
   // An orderly end keeps what is to be kept.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { asked_to_end = 1; });
 
@@ -244,13 +258,17 @@ Diagnostics play_in_window(const PlayerOptions& options, const Start& start) {
     const auto now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - before).count();
     before = now;
+    Stopwatch watch;
     if (player.advance(seconds) || desk.poll()) (*ui)->redraw();
     if (!(*ui)->wants_frame()) continue;
+    const double advancing = watch.lap();
     (*ui)->frame(seconds);
+    Stopwatch clock(CLOCK_MONOTONIC);
     int width = 0, height = 0;
     glfwGetFramebufferSize(window, &width, &height);
     (*ui)->canvas().present(0, width, height);
     glfwSwapBuffers(window);
+    if (times != nullptr) times->presented(advancing, (*ui)->frame_parts(), clock.lap());
     events.show_cursor();
     const std::string wanted = player.session() != nullptr ? player.session()->document().title() + " - Blossom" : "Blossom";
     if (wanted != title) glfwSetWindowTitle(window, (title = wanted).c_str());

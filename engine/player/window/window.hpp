@@ -3,6 +3,7 @@
 
 #include "player/player.hpp"
 #include "player/script.hpp"
+#include "player/window/frame_times.hpp"
 
 namespace blossom {
 
@@ -10,7 +11,8 @@ namespace blossom {
 using Start = std::function<void(Player&)>;
 
 // Opens a window and stays until it is closed. A diagnostic when there is no display or no OpenGL.
-Diagnostics play_in_window(const PlayerOptions&, const Start&);
+// `times`, if given, is told what the start and every frame took.
+Diagnostics play_in_window(const PlayerOptions&, const Start&, FrameTimes* times = nullptr);
 
 // Plays the script; pictures and states go to `out`. Diagnostics name the line of the script where an expectation did
 // not hold or a named thing was not there; it ends at the first.

@@ -1,0 +1,55 @@
+// The picture of the step as a file.
+#include "player/ui/dialog.hpp"
+#include "player/ui/panel.hpp"
+
+namespace blossom {
+namespace {
+
+void draw(Ui& ui) {
+  static Target file;
+  const Session* session = ui.player().session();
+  if (session == nullptr) return close_dialog(ui);
+  if (!begin_dialog(ui, "Save the picture", 520)) return;
+  if (dialog_opens())
+    file = {folder_to_save(ui.player()), session->document().id() + "-" + std::to_string(session->step()) + ".png", {}};
+  quiet_text(ui, "The page of step " + std::to_string(session->step()) +
+                     ": the picture with the scheme, the code and what is said of it.");
+  ImGui::Dummy({0, ui.px(2)});
+  const bool entered = dialog_field(ui, "File", "dialog file", file.text, true);
+  quiet_text(ui, "in " + printable(file.path().parent_path().string()));
+  std::filesystem::path name = file.text;
+  const auto kind = [&](const char* label, const char* extension, const char* thing) {
+    if (ImGui::RadioButton(label, name.extension() == extension))
+      file.text = name.replace_extension(extension).string();
+    ui.thing(thing);
+  };
+  kind("PNG, for the screen and for slides", ".png", "dialog png");
+  kind("SVG, for print at any size", ".svg", "dialog svg");
+
+  const std::string wrong = file.wrong({".png", ".svg"});
+  const bool asks = wrong.empty() && file.asks();
+  if (!wrong.empty())
+    dialog_warning(ui, wrong);
+  else if (asks)
+    dialog_warning(ui, "There is a file of this name already. Press Replace to write over it.");
+  else
+    ImGui::TextUnformatted("");
+  const bool pressed = dialog_buttons(ui, asks ? "Replace" : "Save", wrong.empty());
+  if ((pressed || entered) && wrong.empty() && file.confirm())
+    ui.send([path = file.path()](Player& player) {
+      player.dialog = Dialog::none;  // what goes wrong is said in the window
+      player.save_picture(path);
+    });
+  end_dialog();
+}
+
+bool is_relevant(const Player& player) { return player.dialog == Dialog::save_picture; }
+
+}  // namespace
+
+const Panel& panel_dialog_save_picture() {
+  static const Panel panel{"save-picture", "Save the picture", Slot::float_, 53, draw, is_relevant};
+  return panel;
+}
+
+}  // namespace blossom
