@@ -13,8 +13,6 @@ bool is_open_prediction(const Session& session) {
   return session.prediction() != nullptr && session.prediction()->open().has_value();
 }
 
-std::string knot_name(std::size_t index) { return "u_" + std::to_string(index); }
-
 }  // namespace
 
 // ---- dragging -------------------------------------------------------------------------------------------------------
@@ -25,14 +23,14 @@ bool Player::take(Grip grip) {
   if (changes && is_open_prediction(*session_)) {
     // An edit ends predicting, as the questions were about other numbers: not by a slip of the hand.
     notice("While you predict, what is given stays as it is. Ctrl+T ends predicting.");
-    held_ = Held{StuckGrip{}, {}, {}, false, true};
+    held_ = Held{StuckGrip{}, {}, {}, true};
     return false;
   }
   if (const auto* stuck = std::get_if<StuckGrip>(&grip)) notice(stuck->why);
   // The picture is not to move under the mouse because a point moves in it.
   if (std::holds_alternative<PointGrip>(grip)) set_camera(shown_camera());
   if (changes) session_->end_gesture();
-  held_ = Held{std::move(grip), {}, {}, false, false};
+  held_ = Held{std::move(grip), {}, {}, false};
   return true;
 }
 
@@ -41,31 +39,42 @@ void Player::drag(glm::dvec2 mouse, const GripKeys& keys) {
   held_->mouse = mouse;
   held_->keys = keys;
   const Algorithm& algorithm = session_->algorithm();
-  const std::uint64_t version = session_->version();
+  const auto change = [&](const Edited& edited, const std::string& what) {
+    if (edit(edited, what, gesture)) return;
+    // What cannot be leaves everything as it was before the drag, and not where the mouse happened to be last.
+    const Diagnostics why = session_->rejected();
+    session_->cancel_gesture();
+    edit(Edited(why), what, gesture);
+  };
   if (const auto* look = std::get_if<LookGrip>(&held_->grip))
     set_camera(look->at(mouse));
   else if (const auto* point = std::get_if<PointGrip>(&held_->grip))
-    edit(point->edited(algorithm, mouse, keys), point->name() + " moved", gesture);
+    change(point->edited(algorithm, mouse, keys), point->name() + " moved");
   else if (const auto* knot = std::get_if<KnotGrip>(&held_->grip))
-    edit(knot->edited(algorithm, mouse.x, keys), "knot " + knot_name(knot->index(mouse.x, keys)) + " moved", gesture);
+    change(knot->edited(algorithm, mouse.x, keys), "knot u_" + std::to_string(knot->index(mouse.x, keys)) + " moved");
   else if (const auto* u = std::get_if<ParameterGrip>(&held_->grip))
-    edit(u->edited(algorithm, mouse.x, keys), "u moved", gesture);
-  held_->edited = held_->edited || session_->version() != version;
+    change(u->edited(algorithm, mouse.x, keys), "u moved");
 }
 
 void Player::let_go() {
-  // What was refused is forgotten as well: the thing is where it was.
-  const bool changes = held_ && !std::holds_alternative<LookGrip>(held_->grip);
+  if (!held_) return;
+  const Inputs<Exact>* before = nullptr;
+  if (const auto* point = std::get_if<PointGrip>(&held_->grip)) before = &point->before();
+  if (const auto* knot = std::get_if<KnotGrip>(&held_->grip)) before = &knot->before();
+  if (const auto* u = std::get_if<ParameterGrip>(&held_->grip)) before = &u->before();
+  if (session_ && before != nullptr) {
+    if (session_->inputs() == *before) session_->cancel_gesture();
+    session_->end_gesture();  // what was refused is forgotten as well: the thing is where it was
+  }
   held_.reset();
-  if (session_ && changes) session_->end_gesture();
 }
 
 bool Player::put_back() {
   if (!session_ || !held_ || held_->over) return false;
   held_->over = true;
   if (const auto* look = std::get_if<LookGrip>(&held_->grip)) set_camera(look->from);
-  session_->end_gesture();
-  if (held_->edited) session_->undo();
+  session_->cancel_gesture();
+  session_->forget_rejected();
   return true;
 }
 

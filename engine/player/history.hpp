@@ -29,6 +29,14 @@ class History {
   // The gesture is over: the next push is a state of its own.
   void end_gesture() { states_[at_].gesture.clear(); }
 
+  // The state of a gesture that is not over goes, as if it had never been. False: there is none.
+  bool cancel_gesture() {
+    if (at_ == 0 || states_[at_].gesture.empty()) return false;
+    states_.resize(at_, states_.front());
+    --at_;
+    return true;
+  }
+
   bool can_undo() const { return at_ > 0; }
   bool can_redo() const { return at_ + 1 < states_.size(); }
   std::string undo_what() const { return can_undo() ? states_[at_].what : std::string(); }

@@ -224,8 +224,7 @@ class Player {
     Grip grip;
     glm::dvec2 mouse{};
     GripKeys keys;
-    bool edited = false;  // it has a state of its own in the history
-    bool over = false;    // it was put back
+    bool over = false;  // it was put back
   };
   std::optional<Held> held_;
 

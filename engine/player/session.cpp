@@ -139,6 +139,10 @@ void Session::end_gesture() {
   if (exact_ && !exact_failed_ && !recording_->source().exact) record(inputs(), false);
 }
 
+void Session::cancel_gesture() {
+  if (history_.cancel_gesture()) show_history();
+}
+
 bool Session::show_history() {
   rejected_.clear();
   fields_.clear();

@@ -59,6 +59,7 @@ class Session {
   // An edit: taken, or refused and nothing changes but rejected(). `what` is for "Undo ..."; see History for gestures.
   bool edit(Edited, const std::string& what, const std::string& gesture = {});
   void end_gesture();
+  void cancel_gesture();  // what it did is undone, and not to be redone
   const Diagnostics& rejected() const { return rejected_; }
   void forget_rejected() { rejected_.clear(); }
   bool undo();

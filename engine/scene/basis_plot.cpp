@@ -253,7 +253,7 @@ double add_basis(Sheet& sheet, const StepSource& source, std::uint32_t, const Em
   for (std::size_t i = 0; i < functions.size(); ++i) {
     if (functions[i].points.size() < 2) continue;
     const bool lit = points[i] != absent && emphasis.lights(points[i]);
-    if (lit) parts::stroke(view, functions[i].points, Role::highlight, 1.5);
+    if (lit) parts::stroke(view, functions[i].points, Role::highlight, 0.75);
   }
   for (const bool loud : {false, true})
     for (Function& f : functions) {

@@ -21,7 +21,7 @@ namespace {
 using namespace blossom;
 namespace fs = std::filesystem;
 
-constexpr int repeats = 5;
+constexpr int repeats = 3;
 const fs::path source_dir = BLOSSOM_SOURCE_DIR;
 
 [[noreturn]] void fail(const std::string& what) {
@@ -53,13 +53,13 @@ struct OpenGl {
 
 struct Frame {
   FrameParts parts;
-  double rasterising = 0;
+  double rasterising = 0;  // processor time of all threads
 };
 
 // The whole window with one document.
-class Window {
+class OpenPlayer {
  public:
-  Window(OpenGl& gl, const Document& document)
+  OpenPlayer(OpenGl& gl, const Document& document)
       : gl_(gl), player_({{}, source_dir / "lessons", source_dir / "exercises", false}, desk_) {
     player_.settings.reduced_motion = true;  // every step is one frame
     Stopwatch watch;
@@ -73,12 +73,12 @@ class Window {
   }
 
   Frame frame() {
+    Stopwatch watch(CLOCK_PROCESS_CPUTIME_ID);
     player_.advance(1.0 / 60);
     ui_->frame(1.0 / 60);
     Frame made{ui_->frame_parts(), 0};
-    Stopwatch watch(CLOCK_MONOTONIC);
     gl_.finish();
-    made.rasterising = made.parts.drawing + watch.lap();
+    made.rasterising = watch.lap() - made.parts.own();
     return made;
   }
   Frame frame(Event event) {
@@ -129,7 +129,7 @@ Event event(Event::Kind kind, glm::dvec2 at = {}) {
   return made;
 }
 
-using Series = std::function<std::vector<Frame>(Window&)>;
+using Series = std::function<std::vector<Frame>(OpenPlayer&)>;
 
 // ---- the table ------------------------------------------------------------------------------------------------------
 
@@ -166,7 +166,7 @@ void measure(OpenGl& gl, const std::string& name, const Document& document, cons
   if (name.find(wanted) == std::string::npos) return;
   std::vector<Frame> best;
   for (int r = 0; r < repeats; ++r) {
-    Window window(gl, document);
+    OpenPlayer window(gl, document);
     const auto frames = series(window);
     if (best.empty()) best = frames;
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -183,7 +183,7 @@ void measure(OpenGl& gl, const std::string& name, const Document& document, cons
 // ---- what a person does ---------------------------------------------------------------------------------------------
 
 // Around in a circle, one move of the mouse for each frame: a frame shows the last edit and makes the next.
-std::vector<Frame> drag(Window& window, const std::string& thing) {
+std::vector<Frame> drag(OpenPlayer& window, const std::string& thing) {
   const glm::dvec2 from = window.place(thing);
   window.frame(event(Event::Kind::move, from));
   window.frame(event(Event::Kind::press));
@@ -198,7 +198,7 @@ std::vector<Frame> drag(Window& window, const std::string& thing) {
   return frames;
 }
 
-std::vector<Frame> scrub(Window& window) {
+std::vector<Frame> scrub(OpenPlayer& window) {
   const PixelRect slider = window.rect("timeline slider");
   const auto at = [&](double share) {
     return glm::dvec2{slider.x + 12 + share * (slider.width - 24), slider.y + slider.height / 3};
@@ -206,13 +206,13 @@ std::vector<Frame> scrub(Window& window) {
   window.frame(event(Event::Kind::move, at(0)));
   window.frame(event(Event::Kind::press));
   std::vector<Frame> frames;
-  for (int i = 1; i <= 200; ++i)
-    frames.push_back(window.frame(event(Event::Kind::move, at(i <= 100 ? i / 100.0 : 2 - i / 100.0))));
+  for (int i = 1; i <= 100; ++i)
+    frames.push_back(window.frame(event(Event::Kind::move, at(i <= 50 ? i / 50.0 : 2 - i / 50.0))));
   window.frame(event(Event::Kind::release));
   return frames;
 }
 
-std::vector<Frame> steps(Window& window, std::uint32_t from, bool forward) {
+std::vector<Frame> steps(OpenPlayer& window, std::uint32_t from, bool forward) {
   window.frame_with([&](Player& p) { p.seek(from); });
   std::vector<Frame> frames;
   for (int i = 0; i < 100; ++i)
@@ -221,24 +221,24 @@ std::vector<Frame> steps(Window& window, std::uint32_t from, bool forward) {
   return frames;
 }
 
-std::vector<Frame> seeks(Window& window, const std::string& tab) {
+std::vector<Frame> seeks(OpenPlayer& window, const std::string& tab) {
   window.player().tab = tab;
   std::mt19937 random(7);
   std::uniform_int_distribution<std::uint32_t> any(0, window.player().session()->last());
   std::vector<Frame> frames;
-  for (int i = 0; i < 60; ++i) frames.push_back(window.frame_with([&](Player& p) { p.seek(any(random)); }));
+  for (int i = 0; i < 40; ++i) frames.push_back(window.frame_with([&](Player& p) { p.seek(any(random)); }));
   return frames;
 }
 
 // The mouse from one spot of a panel to another.
-std::vector<Frame> hover(Window& window, const std::string& panel, double share_of_steps) {
+std::vector<Frame> hover(OpenPlayer& window, const std::string& panel, double share_of_steps) {
   window.player().tab = panel == "phases" ? "phases" : "tableau";
   window.frame_with([&](Player& p) { p.seek(static_cast<std::uint32_t>(share_of_steps * p.session()->last())); });
   for (int i = 0; i < 3; ++i) window.frame();
   auto places = window.places(panel + " ");
   std::mt19937 random(11);
   std::shuffle(places.begin(), places.end(), random);
-  if (places.size() > 30) places.resize(30);
+  if (places.size() > 20) places.resize(20);
   std::vector<Frame> frames;
   for (const auto& at : places) {
     frames.push_back(window.frame(event(Event::Kind::move, at)));
@@ -275,26 +275,26 @@ Document skinning(bool own_knots) {
 void whole_window(OpenGl& gl, const std::string& name, const Document& document) {
   if (!any_wanted(name)) return;
   const auto last_step = [&] {
-    Window window(gl, document);
+    OpenPlayer window(gl, document);
     return window.player().session()->last();
   }();
   std::printf("| **%s: %u steps** | | | | | | |\n", name.c_str(), last_step + 1);
   const auto at = [&](double share) { return static_cast<std::uint32_t>(share * last_step); };
-  measure(gl, name + ": opened, first frame", document, [](Window& w) {
+  measure(gl, name + ": opened, first frame", document, [](OpenPlayer& w) {
     Frame first = w.first_frame();
     first.parts.changes += w.opening();
     return std::vector{first};
   });
-  measure(gl, name + ": step by step", document, [&](Window& w) { return steps(w, at(0.5), true); });
-  measure(gl, name + ": step by step back", document, [&](Window& w) { return steps(w, at(0.9), false); });
-  measure(gl, name + ": the last steps", document, [&](Window& w) { return steps(w, last_step - 99, true); });
+  measure(gl, name + ": step by step", document, [&](OpenPlayer& w) { return steps(w, at(0.5), true); });
+  measure(gl, name + ": step by step back", document, [&](OpenPlayer& w) { return steps(w, at(0.9), false); });
+  measure(gl, name + ": the last steps", document, [&](OpenPlayer& w) { return steps(w, last_step - 99, true); });
   measure(gl, name + ": scrubbed to the end and back", document, scrub);
   for (const char* tab : {"tableau", "inputs", "basis", "phases", "why"})
-    measure(gl, name + ": random seeks, " + tab, document, [&](Window& w) { return seeks(w, tab); });
-  for (const double share : {0.3, 0.7, 1.0})
+    measure(gl, name + ": random seeks, " + tab, document, [&](OpenPlayer& w) { return seeks(w, tab); });
+  for (const double share : {0.7, 1.0})
     for (const char* panel : {"viewport", "tableau", "phases", "code"})
       measure(gl, name + ": pointing in " + panel + " at " + format_short(100 * share, 0) + " %", document,
-              [&](Window& w) { return hover(w, panel, share); });
+              [&](OpenPlayer& w) { return hover(w, panel, share); });
 }
 
 // ---- memory ---------------------------------------------------------------------------------------------------------
@@ -312,7 +312,7 @@ void memory_row(const std::string& name, const std::function<Document()>& docume
   const pid_t child = fork();
   if (child == 0) {
     OpenGl gl;
-    Window window(gl, document());
+    OpenPlayer window(gl, document());
     const Session& session = *window.player().session();
     std::printf("| %s | %u | %s | %.2f | %.0f |\n", name.c_str(), session.last() + 1,
                 session.recording().source().exact ? "fractions" : "decimals",
@@ -346,13 +346,14 @@ int main(int argc, char** argv) {
   OpenGl gl;
   head();
   const Document de_boor = lesson("05-de-boor");
-  measure(gl, "05-de-boor: a control point dragged", de_boor, [](Window& w) { return drag(w, "viewport P[0][3]"); });
-  measure(gl, "05-de-boor: dragged at the last step", de_boor, [](Window& w) {
+  measure(gl, "05-de-boor: a control point dragged", de_boor,
+          [](OpenPlayer& w) { return drag(w, "viewport P[0][3]"); });
+  measure(gl, "05-de-boor: dragged at the last step", de_boor, [](OpenPlayer& w) {
     w.frame_with([](Player& p) { p.seek(p.session()->last()); });
     w.frame();
     return drag(w, "viewport P[0][3]");
   });
-  measure(gl, "05-de-boor: step by step", de_boor, [](Window& w) { return steps(w, 0, true); });
+  measure(gl, "05-de-boor: step by step", de_boor, [](OpenPlayer& w) { return steps(w, 0, true); });
   whole_window(gl, "equal knots", skinning(false));
   whole_window(gl, "own knots", skinning(true));
 }

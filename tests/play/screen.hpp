@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <thread>
@@ -134,7 +135,18 @@ class Screen {
     return ended.out;
   }
   void key(const std::string& name) const { xdotool({"key", name}); }
-  void move(double x, double y) const { xdotool({"mousemove", std::to_string(std::lround(x)), std::to_string(std::lround(y))}); }
+  void move(double x, double y) {
+    pointer_ = {static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y))};
+    xdotool({"mousemove", std::to_string(pointer_.x), std::to_string(pointer_.y)});
+  }
+  // Takes out of a picture where the display draws the mouse's pointer.
+  Image without_pointer(Image image) const {
+    constexpr int size = 24;
+    for (int y = std::max(pointer_.y - size, 0); y < std::min(pointer_.y + size, image.height); ++y)
+      for (int x = std::max(pointer_.x - size, 0); x < std::min(pointer_.x + size, image.width); ++x)
+        image.set(x, y, {0, 0, 0, 255});
+    return image;
+  }
   void press() const { xdotool({"mousedown", "1"}); }
   void release() const { xdotool({"mouseup", "1"}); }
 
@@ -166,6 +178,9 @@ class Screen {
   Scratch scratch_;
   std::optional<Running> server_;
   std::optional<Environment> display_, wayland_;
+  struct {
+    int x = 0, y = 0;
+  } pointer_;
 };
 
 }  // namespace blossom::test

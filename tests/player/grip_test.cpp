@@ -39,9 +39,7 @@ Camera space(double azimuth, double elevation) {
 const PointAddress second{"curve", 0, 1};  // (0, 0)
 const PointAddress fourth{"curve", 0, 3};  // (30, 20)
 
-std::string text(const Point<Exact>& p) {
-  return p.x.to_string() + " " + p.y.to_string() + " " + p.z.to_string();
-}
+std::string text(const Point<Exact>& p) { return p.x.to_string() + " " + p.y.to_string() + " " + p.z.to_string(); }
 
 constexpr GripKeys none{}, along{true, false}, snapping{false, true};
 
@@ -79,8 +77,8 @@ TEST_CASE("a dragged point snaps to the grid that is drawn") {
 TEST_CASE("along an axis the other coordinates keep their exact numbers") {
   auto session = de_boor();
   const PointAddress at = second;
-  REQUIRE(session->edit(move_point(session->algorithm(), session->inputs(), at, {Exact::ratio(1, 3), Exact::ratio(1, 7), 0}),
-                        "moved"));
+  REQUIRE(session->edit(
+      move_point(session->algorithm(), session->inputs(), at, {Exact::ratio(1, 3), Exact::ratio(1, 7), 0}), "moved"));
   const PointGrip grip(*session, at, plane(), page, {0, 0}, 0.5);
   CHECK_FALSE(grip.axis({0, 0}));
   CHECK(grip.axis({50, 20}) == 0);

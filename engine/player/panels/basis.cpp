@@ -7,6 +7,7 @@
 namespace blossom {
 namespace {
 
+constexpr double left = 8;  // as of the knot line
 constexpr double wanted_height = 150, least_height = 112;
 
 std::size_t curve_of(const Player& player) {
@@ -20,7 +21,7 @@ void draw(Ui& ui) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const double width = ui.units(room.x), height = ui.units(room.y);
   Sheet sheet;
-  add_basis(sheet, session.recording().source(), session.step(), player.emphasis(), 0, 0, width, height,
+  add_basis(sheet, session.recording().source(), session.step(), player.emphasis(), left, 0, width - left, height,
             curve_of(player));
   ui.sheet("basis", std::move(sheet), width, height);
 }

@@ -72,6 +72,7 @@ void check(Ui& ui, const char* label, const char* name, const char* action, bool
 void draw(Ui& ui) {
   if (!begin_dialog(ui, "Settings", 470)) return;
   const Settings& settings = ui.player().settings;
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, std::max(1.0f, ui.px(1)));  // what is off is to be seen, too
   themes(ui);
   ImGui::Dummy({0, ui.px(2)});
   text_size(ui);
@@ -93,6 +94,7 @@ void draw(Ui& ui) {
   ui.heading("Picture");
   check(ui, "Grid and axes", "settings grid", "view.grid", settings.grid);
   check(ui, "Points snap to the grid", "settings snap", "edit.snap", settings.snap);
+  ImGui::PopStyleVar();
   if (dialog_buttons(ui, "Done", true, nullptr)) close_dialog(ui);
   end_dialog();
 }

@@ -47,11 +47,14 @@ std::vector<Section> all_sections() {
   return sections;
 }
 
+// Arrows as arrows: "Ctrl+Up" is "Ctrl+\u2191".
 std::string spelled(const std::string& key) {
-  if (key == "Left") return "\u2190";
-  if (key == "Right") return "\u2192";
-  if (key == "Up") return "\u2191";
-  if (key == "Down") return "\u2193";
+  constexpr std::pair<std::string_view, std::string_view> arrows[] = {
+      {"Left", "\u2190"}, {"Right", "\u2192"}, {"Up", "\u2191"}, {"Down", "\u2193"}};
+  const std::size_t plus = key.size() > 1 ? key.rfind('+', key.size() - 2) : std::string::npos;
+  const std::size_t from = plus == std::string::npos ? 0 : plus + 1;
+  for (const auto& [name, arrow] : arrows)
+    if (key.substr(from) == name) return key.substr(0, from) + std::string(arrow);
   return key;
 }
 

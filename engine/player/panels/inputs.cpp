@@ -66,11 +66,11 @@ void draw_slider(Ui& ui, InputFields& fields, const std::string& name, const Exa
 }
 
 void draw_number(Ui& ui, InputFields& fields, const InputSpec& spec, const Exact& value, float room) {
-  const std::string name(spec.name), tip(spec.description);
+  const std::string name(spec.name);
   const float left = ImGui::GetCursorPosX();
-  if (fields.number(
-          {name, name, value, NumberStyle::parameter, ui.px(90), false, tip.c_str()},
-          [name](const Session& s, const Exact& x) { return set_number(s.algorithm(), s.inputs(), name, x); }))
+  if (fields.number({name, name, value, NumberStyle::parameter, ui.px(90)}, [name](const Session& s, const Exact& x) {
+        return set_number(s.algorithm(), s.inputs(), name, x);
+      }))
     ui.light({Link::Kind::parameter, 0}, "inputs");
   const Inputs<Exact>& inputs = ui.player().session()->inputs();
   const auto curves = curves_of(inputs);
@@ -79,17 +79,9 @@ void draw_number(Ui& ui, InputFields& fields, const InputSpec& spec, const Exact
   ImGui::SameLine();
   const std::string domain = "in [" + number_text(curve.domain_begin()) + ", " + number_text(curve.domain_end()) + "]";
   ImGui::TextDisabled("%s", domain.c_str());
-  // Beside the field if there is room, otherwise below.
-  const float beside = room - (ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetScrollX()) - ui.px(8);
-  if (beside >= ui.px(140)) {
-    ImGui::SameLine();
-    draw_slider(ui, fields, name, value, curve, beside);
-    fields.say();
-  } else {
-    fields.say();
-    ImGui::SetCursorPosX(left);
-    draw_slider(ui, fields, name, value, curve, std::max(room - left, ui.px(80)));
-  }
+  fields.say();
+  ImGui::SetCursorPosX(left);
+  draw_slider(ui, fields, name, value, curve, std::max(room - left, ui.px(80)));
 }
 
 void draw_choice(Ui& ui, InputFields& fields, const InputSpec& spec, const std::string& value, float room) {
@@ -153,34 +145,43 @@ void draw_curve_choice(Ui& ui, InputFields& fields, const std::vector<CurveAddre
 void draw_curves(Ui& ui, InputFields& fields, const InputSpec& spec) {
   const auto curves = curves_of(ui.player().session()->inputs());
   if (curves.empty()) return;
-  ui.heading(label_of(spec).c_str());
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(spec.description).c_str());
   // The chosen one if it is of this input, otherwise the first that is.
   std::size_t chosen = std::min(ui.player().curve, curves.size() - 1);
   if (curves[chosen].input != spec.name)
     chosen = static_cast<std::size_t>(
         std::ranges::find_if(curves, [&](const CurveAddress& c) { return c.input == spec.name; }) - curves.begin());
   if (chosen >= curves.size()) return;
-  if (spec.type == InputSpec::Type::curves) draw_curve_choice(ui, fields, curves, chosen);
+  ImGui::Dummy({0, ui.px(1)});
+  if (spec.type == InputSpec::Type::curves) {
+    draw_label(spec, ImGui::CalcTextSize(label_of(spec).c_str()).x + ui.px(10));
+    draw_curve_choice(ui, fields, curves, chosen);
+  }
   draw_curve_fields(ui, fields, curves[chosen]);
 }
 
-void draw_history(Ui& ui) {
+// At the right end of the first line if they fit there, otherwise on a line of their own.
+void draw_history(Ui& ui, float room, float first_line) {
   const Session& session = *ui.player().session();
-  const auto button = [&](const char* action, const char* icon, const char* verb, const std::string& what) {
-    ui.icon_button(action, icon);
-    ui.thing(std::string("inputs ") + icon);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float icon = ImGui::GetFrameHeight() * 1.12f;
+  float width = 2 * icon + style.ItemSpacing.x;
+  if (session.edited()) width += style.ItemSpacing.x + ImGui::CalcTextSize("Revert").x + 2 * style.FramePadding.x;
+  const ImVec2 at = ImGui::GetCursorPos();
+  const bool fits = first_line + width < room;
+  if (fits) ImGui::SetCursorPosX(at.x + room - width);
+  const auto button = [&](const char* action, const char* symbol, const char* verb, const std::string& what) {
+    ui.icon_button(action, symbol);
+    ui.thing(std::string("inputs ") + symbol);
     if (!what.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s: %s", verb, what.c_str());
-    ImGui::SameLine();
   };
-  button("edit.undo", "undo", "Undo", session.history().undo_what());
-  button("edit.redo", "redo", "Redo", session.history().redo_what());
   if (session.edited()) {
     if (ui.button("Revert", "inputs revert", true, "Take back all edits")) ui.act("edit.revert");
-  } else {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("Fractions or decimals");
+    ImGui::SameLine();
   }
+  button("edit.undo", "undo", "Undo", session.history().undo_what());
+  ImGui::SameLine();
+  button("edit.redo", "redo", "Redo", session.history().redo_what());
+  if (fits) ImGui::SetCursorPos(at);
 }
 
 void draw(Ui& ui) {
@@ -189,7 +190,8 @@ void draw(Ui& ui) {
   InputFields fields(ui);
   const float room = ImGui::GetContentRegionAvail().x;
   fields.set_wrap(room);
-  draw_history(ui);
+  const float labels = label_width(ui, session.algorithm());
+  draw_history(ui, room, labels + ui.px(186));
 
   const auto& specs = session.algorithm().inputs;
   const auto curves = curves_of(session.inputs());
@@ -202,7 +204,6 @@ void draw(Ui& ui) {
     });
   });
   // The short ones first: a table may be long.
-  const float labels = label_width(ui, session.algorithm());
   for (const InputSpec& spec : specs) {
     const auto found = session.inputs().values.find(spec.name);
     if (found == session.inputs().values.end()) continue;

@@ -13,7 +13,8 @@ std::size_t curve_of(const Player& player) {
 }
 
 // The functions of the panel above stand exactly above the line.
-double line_width(double width) { return width - basis_bar_room; }
+constexpr double left = 8;
+double line_width(double width) { return width - left - basis_bar_room; }
 
 void handle_mouse(Ui& ui, const Mouse& mouse, const std::vector<Spot>& spots, const KnotAxis& axis) {
   const Player& player = ui.player();
@@ -76,10 +77,18 @@ void draw(Ui& ui) {
   const double width = ui.units(room.x), height = ui.units(room.y);
   const StepSource& source = session.recording().source();
   const std::size_t curve = curve_of(player);
-  const auto axis = knot_axis(source, curve, 0, line_width(width));
+  const auto axis = knot_axis(source, curve, left, line_width(width));
   if (!axis) return;
   Sheet sheet;
-  add_knot_line(sheet, source, session.step(), player.emphasis(), 0, 0, line_width(width), curve, true);
+  add_knot_line(sheet, source, session.step(), player.emphasis(), left, 0, line_width(width), curve, true);
+  if (source.curves.size() > 1) {
+    Label which;
+    which.anchor = {width - basis_bar_room, knot_line_at + 4, 0};
+    which.text = {{"curve " + std::to_string(curve)}};
+    which.role = Role::text_quiet;
+    which.size_scale = 0.85;
+    sheet.view.labels.push_back(std::move(which));
+  }
   for (Spot& spot : sheet.spots) spot.height = std::min(spot.height, height - spot.y);
   draw_refusal(ui, sheet.view, *axis, origin);
   const std::vector<Spot> spots = sheet.spots;

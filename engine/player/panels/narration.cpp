@@ -32,8 +32,8 @@ double wanted(const Ui& ui, double width) {
   height += part;
   if (session.recording().graph().phases().size() > 0) height += 20;
   if (!session.words().lesson.empty()) height += 22;
-  // The picture above is not to jump with every step's words.
-  return std::max(height, 84.0);
+  // The picture above is not to jump with every step's words, where there is room for some more.
+  return ui.height() < 560 ? height : std::max(height, 84.0);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ void draw(Ui& ui) {
 double wanted(const Ui& ui, double) {
   const Session& session = *ui.player().session();
   const Algorithm& algorithm = session.recording().source().algorithm_at(session.step());
-  return 20.0 * static_cast<double>(algorithm.pseudo_code.size()) + 50;
+  return 20.0 * static_cast<double>(algorithm.pseudo_code.size()) + 60;
 }
 
 }  // namespace

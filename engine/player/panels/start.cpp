@@ -33,6 +33,10 @@ const View& thumbnail(const ShelfItem& item, double width, double height) {
   if (one.recording != item.recording || one.width != width || one.height != height) {
     ViewportOptions options;
     options.grid = options.labels = false;
+    // Rings and what has been moved aside reach beyond the curve.
+    Camera camera = item.recording->scenes().fitted(width, height);
+    camera.height *= 1.22;
+    options.camera = camera;
     one = {item.recording, width, height,
            item.recording->scenes().viewport(item.telling_step, width, height, options).view};
     one.view.width = width;
@@ -72,13 +76,14 @@ float card_height(const Ui& ui) {
          static_cast<float>(most_summary) * line_height(ui.small()) + line_height(ui.small());
 }
 
-void draw_lines(ImFont* font, ImU32 color, ImVec2 at, float width, std::size_t most, const std::string& text) {
+float draw_lines(ImFont* font, ImU32 color, ImVec2 at, float width, std::size_t most, const std::string& text) {
   ImGui::PushFont(font);
   for (const std::string& line : wrapped(text, width, most)) {
     ImGui::GetWindowDrawList()->AddText(at, color, line.c_str());
     at.y += line_height(font);
   }
   ImGui::PopFont();
+  return at.y;
 }
 
 std::string what_was_done(const ShelfItem& item, const Progress* progress) {
@@ -138,10 +143,10 @@ void draw_card(Ui& ui, const ShelfItem& item, ImVec2 at, ImVec2 size) {
     list.AddText({from.x + ui.px(6), from.y + ui.px(2)}, ui.ink(Role::text), mark);
     ImGui::PopFont();
   }
-  float y = picture_high.y + ui.px(8);
-  draw_lines(ui.bold(), ui.ink(Role::text), {inner.x, y}, width, most_titles, item.title);
-  y += static_cast<float>(most_titles) * line_height(ui.bold()) + ui.px(4);
-  draw_lines(ui.small(), ui.ink(Role::text_quiet), {inner.x, y}, width, most_summary, item.summary);
+  const float below_title =
+      draw_lines(ui.bold(), ui.ink(Role::text), {inner.x, picture_high.y + ui.px(8)}, width, most_titles, item.title);
+  draw_lines(ui.small(), ui.ink(Role::text_quiet), {inner.x, below_title + ui.px(4)}, width, most_summary,
+             item.summary);
   draw_foot(ui, item, {inner.x, high.y - ui.px(pad) - ui.px(6) - line_height(ui.small())},
             {inner.x + width, high.y - ui.px(pad)});
   const Role edge = focused ? Role::focus : (hovered ? Role::current : Role::rule_line);

@@ -71,7 +71,7 @@ Columns columns_for(const Ui& ui, const Curve<Exact>& curve, float room) {
   columns.name = ImGui::CalcTextSize(with_subscript("P", curve.points.size() - 1).c_str()).x + ui.px(10);
   columns.button = ImGui::GetFrameHeight();
   const float numbers = room - columns.name - 2 * columns.button - (count + 2) * columns.gap;
-  columns.number = std::clamp(std::floor(numbers / count), ui.px(44), ui.px(96));
+  columns.number = std::clamp(std::floor(numbers / count), ui.px(44), ui.px(140));
   return columns;
 }
 
@@ -249,7 +249,8 @@ void draw_knots(Ui& ui, InputFields& fields, const CurveAddress& address, const 
       while (i + count < end && x + span(count + 1) <= room) ++count;
       ImGui::SetCursorPos({origin.x + x, origin.y + y});
       const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + span(count), low.y + line};
-      list.AddRectFilled(low, high, lit ? ui.color(Role::highlight, 0.25) : ui.color(Role::text, 0.06), ui.px(4));
+      if (lit) list.AddRectFilled(low, high, ui.color(Role::highlight, 0.25), ui.px(4));
+      list.AddRect(low, high, ui.color(Role::rule_line), ui.px(4), 0, ui.px(1));
       if (first_curve && ImGui::IsMouseHoveringRect(low, high) && ImGui::IsWindowHovered()) ui.light(link, "inputs");
       for (std::size_t k = 0; k < count; ++k) {
         const std::size_t index = i + k;

@@ -70,7 +70,7 @@ bool dialog_field(Ui& ui, const char* label, const std::string& name, std::strin
   ImGui::PopID();
   ui.thing(name);
   // Where one types is to be seen also after a click.
-  if (ImGui::IsItemActive()) {
+  if (ImGui::IsItemActive() && !ImGui::GetIO().NavVisible) {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImGui::GetWindowDrawList()->AddRect(low, high, ui.color(Role::focus), ui.px(4), 0, ui.px(1.5));
   }

@@ -56,7 +56,12 @@ void Ui::feed(Event event) {
 void Ui::take_events() {
   ImGuiIO& io = ImGui::GetIO();
   io.MouseWheel = io.MouseWheelH = 0;
+  bool moved = false;
   while (!events_.empty()) {
+    const Event::Kind kind = events_.front().kind;
+    // A button goes down or up where a frame has seen the mouse: the end of a quick drag is dragged, too.
+    if (moved && (kind == Event::Kind::press || kind == Event::Kind::release)) break;
+    moved = kind == Event::Kind::move;
     const Event event = std::move(events_.front());
     events_.pop_front();
     if (take(event)) break;
@@ -109,6 +114,7 @@ bool Ui::take(const Event& event) {
     case Event::Kind::text:
       if (std::exchange(swallow_text_, false)) return false;
       if (!io.WantTextInput && is_punctuation(event.text) && shortcut(event.text)) return true;
+      io.KeyCtrl = io.KeyAlt = false;  // whoever types letters has let go of them
       io.AddInputCharactersUTF8(event.text.c_str());
       return false;
     case Event::Kind::drop:

@@ -9,6 +9,7 @@ constexpr double gap = 6;            // between panels
 constexpr double least_side = 300;   // width
 constexpr double least_tabs = 170;   // height
 constexpr double least_main = 200;   // height, and width
+constexpr double roomy_main = 150;   // what the strip below leaves of it
 constexpr double roomy_height = 460; // of the side: enough for several panels above the tabs
 
 }  // namespace
@@ -87,7 +88,7 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
 
   // The strip takes at most 40 % of the picture's height, its last panels going first.
   const auto strip = of_slot(Slot::strip);
-  double strip_room = (main_bottom - top) * 0.42;
+  double strip_room = std::min((main_bottom - top) * 0.4, main_bottom - top - roomy_main);
   std::vector<std::pair<const Panel*, double>> kept;
   for (const Panel* panel : strip) {
     const double height = std::min(wanted(*panel, main_width), strip_room);

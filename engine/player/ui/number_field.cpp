@@ -103,12 +103,8 @@ bool InputFields::number_(const NumberField& field, const std::function<NumberEd
   }
 
   mark(field.path, value);
-  if (hovered) {
-    const bool clipped = ImGui::CalcTextSize(text.c_str()).x > field.width - 2 * ImGui::GetStyle().FramePadding.x;
-    if (clipped || field.tooltip != nullptr)
-      ImGui::SetTooltip("%s%s%s", clipped ? text.c_str() : "", clipped && field.tooltip != nullptr ? "\n" : "",
-                        field.tooltip != nullptr ? field.tooltip : "");
-  }
+  if (hovered && ImGui::CalcTextSize(text.c_str()).x > field.width - 2 * ImGui::GetStyle().FramePadding.x)
+    ImGui::SetTooltip("%s", text.c_str());
   return hovered;
 }
 

@@ -19,7 +19,6 @@ struct NumberField {
   NumberStyle style = NumberStyle::parameter;
   float width = 0;     // pixels
   bool quiet = false;  // what need not be looked at, such as the weight 1 of a polynomial curve
-  const char* tooltip = nullptr;
 };
 
 class InputFields {
@@ -58,7 +57,7 @@ class InputFields {
   float wrap_ = 0;
 };
 
-// A text that sends may hold and that is kept out of the way: the small letters of indices, P₁₂.
+// P₁₂: for labels and tooltips of Dear ImGui, which sets no subscripts of its own.
 std::string with_subscript(std::string_view letter, std::size_t index);
 
 }  // namespace blossom

@@ -84,6 +84,7 @@ void Ui::frame(double seconds, bool drawn) {
   take_events();
   ImGui::NewFrame();
   things_.clear();
+  sheet_spots_.clear();
   pictures_.clear();
   hovered_ = {};
   hovered_panel_.clear();
@@ -130,7 +131,7 @@ void Ui::paint() {
         const auto number = reinterpret_cast<std::uintptr_t>(command.UserCallbackData);
         if (number >= pictures_.size()) continue;
         const Placement& picture = pictures_[number];
-        paint_view(picture.view, *theme_, *fonts_, *canvas_, scale_, picture.origin, clip);
+        paint_view(picture.view, *theme_, *fonts_, *canvas_, scale_ * picture.zoom, picture.origin, clip);
         continue;
       }
       // The vertices of a list are few enough for 16-bit indices from its first one on.
@@ -316,16 +317,16 @@ void Ui::draw_splitters(const Layout& layout) {
 
 // ---- sheets ---------------------------------------------------------------------------------------------------------
 
-ImVec2 Ui::picture(View view, double width, double height, std::string_view name) {
+ImVec2 Ui::picture(View view, double width, double height, std::string_view name, double zoom) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 origin{std::round(at.x), std::round(at.y)};
-  ImGui::Dummy({px(width), px(height)});
+  ImGui::Dummy({px(width * zoom), px(height * zoom)});
   if (!name.empty()) thing(std::string(name));
   if (!ImGui::IsItemVisible()) return origin;
   // The callback of ImGui's list is only a mark with the picture's number: paint() finds it.
   const auto mark = [](const ImDrawList*, const ImDrawCmd*) {};
   ImGui::GetWindowDrawList()->AddCallback(mark, reinterpret_cast<void*>(static_cast<std::uintptr_t>(pictures_.size())));
-  pictures_.push_back({std::move(view), {origin.x, origin.y}});
+  pictures_.push_back({std::move(view), {origin.x, origin.y}, zoom});
   return origin;
 }
 
@@ -333,13 +334,15 @@ const Spot* Ui::sheet(std::string_view panel, Sheet sheet, double width, double 
   sheet.view.width = width;
   sheet.view.height = height;
   kept_spots_ = std::move(sheet.spots);
-  const ImVec2 at = picture(std::move(sheet.view), width, height, "");
+  const ImVec2 at = picture(std::move(sheet.view), width, height, "", options.zoom);
+  const auto pixels = [&](double length) { return px(length * options.zoom); };
   const bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && ImGui::IsWindowHovered();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const Spot* found = nullptr;
-  std::vector<Spot> in_pixels;
+  std::vector<Spot>& in_pixels = sheet_spots_[std::string(panel)];  // of all sheets of the panel
   for (const Spot& spot : kept_spots_) {
-    const ImVec2 low{at.x + px(spot.x), at.y + px(spot.y)}, high{low.x + px(spot.width), low.y + px(spot.height)};
+    const ImVec2 low{at.x + pixels(spot.x), at.y + pixels(spot.y)};
+    const ImVec2 high{low.x + pixels(spot.width), low.y + pixels(spot.height)};
     if (!spot.name.empty() && ImGui::IsRectVisible(low, high)) thing(std::string(panel) + " " + spot.name, low, high);
     if (over && mouse.x >= low.x && mouse.x < high.x && mouse.y >= low.y && mouse.y < high.y) found = &spot;
     in_pixels.push_back({spot.link, low.x, low.y, high.x - low.x, high.y - low.y, spot.name});
@@ -347,8 +350,6 @@ const Spot* Ui::sheet(std::string_view panel, Sheet sheet, double width, double 
       ImGui::GetForegroundDrawList()->AddRect({low.x - px(2), low.y - px(2)}, {high.x + px(2), high.y + px(2)},
                                               color(Role::focus), px(4), 0, px(2));
   }
-  auto& spots = sheet_spots_[std::string(panel)];
-  spots = std::move(in_pixels);
   if (found == nullptr) return nullptr;
   hovered_ = found->link;
   hovered_panel_ = panel;
@@ -368,7 +369,12 @@ void Ui::open_menu(const Link& link) {
   menu_requested_ = true;
 }
 
-void Ui::thing(const std::string& name) { thing(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
+// What is scrolled away is not on the screen; of what is cut off, the part that can be seen.
+void Ui::thing(const std::string& name) {
+  ImRect seen(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  seen.ClipWith(ImGui::GetCurrentWindow()->ClipRect);
+  if (seen.Min.x < seen.Max.x && seen.Min.y < seen.Max.y) thing(name, seen.Min, seen.Max);
+}
 
 void Ui::thing(const std::string& name, const ImVec2& low, const ImVec2& high) {
   things_[name] = {low.x, low.y, static_cast<double>(high.x) - low.x, static_cast<double>(high.y) - low.y};

@@ -22,8 +22,8 @@
 namespace blossom {
 
 struct SheetOptions {
-  bool clickable = true;   // clicks pin, double clicks go to the step, the right button opens the menu of a value
-  float scroll_x = 0, scroll_y = 0;
+  bool clickable = true;  // clicks pin, double clicks go to the step, the right button opens the menu of a value
+  double zoom = 1;        // pixels for each unit, of those it would have: the sheet as a whole is that much smaller
 };
 
 void set_key_map(ImGuiIO&);  // which index of KeysDown is which key
@@ -72,7 +72,7 @@ class Ui {
   ImU32 ink(Role, double opacity = 1) const;    // of text
 
   // A view of this size in units at ImGui's cursor, as an item of that size. Its top left in pixels.
-  ImVec2 picture(View, double width, double height, std::string_view name);
+  ImVec2 picture(View, double width, double height, std::string_view name, double zoom = 1);
   // A sheet likewise, with its spots alive: hovering lights, clicking pins. What the mouse is over, or nullptr.
   const Spot* sheet(std::string_view panel, Sheet, double width, double height, const SheetOptions& = {});
   // As if the mouse were over it.
@@ -134,6 +134,7 @@ class Ui {
   struct Placement {
     View view;
     glm::dvec2 origin;
+    double zoom = 1;
   };
   std::vector<Placement> pictures_;
   std::map<std::string, std::vector<Spot>> sheet_spots_;  // of the last frame, in pixels, for the keyboard

@@ -48,26 +48,31 @@ void draw_icon(ImDrawList& list, std::string_view icon, ImVec2 c, float r, ImU32
     return ImVec2{c.x + static_cast<float>(x) * r, c.y + static_cast<float>(y) * r};
   };
   const float line = std::max(1.5f, r * 0.28f);
-  const auto triangle = [&](double x, double w) { list.AddTriangleFilled(at(x, -0.9), at(x, 0.9), at(x + w, 0), color); };
+  // Dear ImGui smooths the edges of what runs clockwise.
+  const auto solid = [&](ImVec2 p, ImVec2 q, ImVec2 s) {
+    if ((q.x - p.x) * (s.y - p.y) < (q.y - p.y) * (s.x - p.x)) std::swap(q, s);
+    list.AddTriangleFilled(p, q, s, color);
+  };
+  const auto triangle = [&](double x, double w) { solid(at(x, -0.9), at(x, 0.9), at(x + w, 0)); };
   const auto bar = [&](double x, double w) { list.AddRectFilled(at(x, -0.9), at(x + w, 0.9), color); };
   const auto stroke = [&](std::initializer_list<ImVec2> points, bool closed = false) {
     list.AddPolyline(std::data(points), static_cast<int>(points.size()), color, closed ? ImDrawFlags_Closed : 0, line);
   };
   if (icon == "first") bar(-0.95, 0.3), triangle(0.85, -1.4);
   if (icon == "back") triangle(0.6, -1.3);
-  if (icon == "play") list.AddTriangleFilled(at(-0.7, -1), at(-0.7, 1), at(1.05, 0), color);
+  if (icon == "play") solid(at(-0.7, -1), at(-0.7, 1), at(1.05, 0));
   if (icon == "pause") bar(-0.7, 0.45), bar(0.25, 0.45);
   if (icon == "forward") triangle(-0.6, 1.3);
   if (icon == "last") triangle(-0.85, 1.4), bar(0.65, 0.3);
   if (icon == "over") {  // an arc above a dot
     list.PathArcTo(at(0, 0.25), r * 0.75f, 3.35f, 6.0f, 16);
     list.PathStroke(color, 0, line);
-    list.AddTriangleFilled(at(0.35, -0.05), at(1.05, -0.15), at(0.8, 0.5), color);
+    solid(at(0.35, -0.05), at(1.05, -0.15), at(0.8, 0.5));
     list.AddCircleFilled(at(0, 0.7), r * 0.26f, color);
   }
   if (icon == "out") {  // up and out
     stroke({at(0, 0.9), at(0, -0.3)});
-    list.AddTriangleFilled(at(-0.6, -0.2), at(0.6, -0.2), at(0, -0.95), color);
+    solid(at(-0.6, -0.2), at(0.6, -0.2), at(0, -0.95));
     stroke({at(-0.8, 0.9), at(0.8, 0.9)});
   }
   if (icon == "next-beat" || icon == "previous-beat") {
@@ -77,7 +82,7 @@ void draw_icon(ImDrawList& list, std::string_view icon, ImVec2 c, float r, ImU32
   }
   if (icon == "loop") {
     list.AddRect(at(-0.9, -0.55), at(0.9, 0.6), color, r * 0.5f, 0, line);
-    list.AddTriangleFilled(at(-0.1, -1.05), at(-0.1, 0.0), at(0.5, -0.52), color);
+    solid(at(-0.1, -1.05), at(-0.1, 0.0), at(0.5, -0.52));
   }
   if (icon == "bookmark") {
     const ImVec2 flag[] = {at(-0.6, -0.95), at(0.6, -0.95), at(0.6, 0.95), at(0, 0.4), at(-0.6, 0.95)};
@@ -85,14 +90,14 @@ void draw_icon(ImDrawList& list, std::string_view icon, ImVec2 c, float r, ImU32
   }
   if (icon == "bookmarked") {
     list.AddRectFilled(at(-0.6, -0.95), at(0.6, 0.4), color);
-    list.AddTriangleFilled(at(-0.6, 0.35), at(0, 0.35), at(-0.6, 0.95), color);
-    list.AddTriangleFilled(at(0.6, 0.35), at(0, 0.35), at(0.6, 0.95), color);
+    solid(at(-0.6, 0.35), at(0, 0.35), at(-0.6, 0.95));
+    solid(at(0.6, 0.35), at(0, 0.35), at(0.6, 0.95));
   }
   if (icon == "undo" || icon == "redo") {
     const double s = icon == "undo" ? 1 : -1;
     list.PathArcTo(at(0.1 * s, 0.15), r * 0.68f, s > 0 ? -2.3f : 3.14f + 2.3f, s > 0 ? 1.6f : 3.14f - 1.6f, 18);
     list.PathStroke(color, 0, line);
-    list.AddTriangleFilled(at(-0.95 * s, -0.35), at(-0.15 * s, -0.85), at(-0.1 * s, 0.1), color);
+    solid(at(-0.95 * s, -0.35), at(-0.15 * s, -0.85), at(-0.1 * s, 0.1));
   }
   if (icon == "fit")
     for (const double x : {-1.0, 1.0})
@@ -119,7 +124,7 @@ bool Ui::icon_button(std::string_view id, std::string_view icon, bool pressed_in
   thing(std::string(id));
   const ImVec2 low = ImGui::GetItemRectMin();
   draw_icon(*ImGui::GetWindowDrawList(), icon, {std::round(low.x + side / 2), std::round(low.y + side / 2)}, side * 0.27f,
-            ink(Role::text, enabled ? 1 : 0.35));
+            enabled ? ink(Role::text) : color(Role::earlier));
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", tooltip_of(*action).c_str());
   if (pressed) act(id);
   return pressed;

@@ -175,6 +175,7 @@ class Driver {
     if (down.text.size() == 1) down.text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(down.text[0])));
     Event up = down;
     up.kind = Event::Kind::key_up;
+    up.ctrl = up.alt = up.shift = false;  // they are let go with it
     feed(down);
     settle();
     if (rest.size() == 1 && !down.ctrl && !down.alt) type(std::string(rest));
