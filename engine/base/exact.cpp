@@ -136,7 +136,7 @@ void charge(const Rational& result) {
 
 }  // namespace
 
-ExactBudget::ExactBudget(std::uint64_t work) : outside_(work_left) { work_left = work; }
+ExactBudget::ExactBudget(std::uint64_t work) : outside_(work_left) { work_left = std::min(work, outside_); }
 ExactBudget::~ExactBudget() { work_left = outside_; }
 
 // What the functions of this file need of the inside of a number. A number that fits in 64 bits is always stored small,

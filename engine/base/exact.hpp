@@ -72,7 +72,7 @@ class Exact {
 
 // A bound on what exact arithmetic may cost in this thread while the object lives. Numbers can grow longer with every
 // operation, so a short input can mean hours; the operation that goes beyond the bound throws ExactTooLarge. `work`
-// counts squared 64-bit words of the results that do not fit in 64 bits: 100 million are about a second.
+// counts squared 64-bit words of results beyond 64 bits: 100 million are about a second. Of nested ones, the least.
 class ExactBudget {
  public:
   explicit ExactBudget(std::uint64_t work);

@@ -34,9 +34,9 @@ Checked<Document> read_document(JsonDocument, std::string_view algorithm = {});
 // Ready-made inputs for an algorithm: those of the first lesson about it in the folder.
 Checked<Document> example_document(std::string_view algorithm, const std::filesystem::path& lessons);
 
-// The document as the file of a new lesson with these inputs. Left out are beats whose place is no longer there or whose
-// words name a value that is not, and likewise highlights and asks; an exercise's prompt becomes the first beat. The id
-// and the title are made such as a lesson may have.
+// The document as the file of a new lesson with these inputs. Left out are beats whose place is no longer there or
+// whose words name a value that is not, and likewise highlights and asks; an exercise's prompt becomes the first beat.
+// The id and the title are made such as a lesson may have.
 std::string as_lesson(const Document&, const Inputs<Exact>&, const std::string& id, const std::string& title);
 
 }  // namespace blossom

@@ -385,8 +385,9 @@ void Player::look_at_disk() {
   const fs::path file = session_->document().file;
   auto document = open_document(file, session_->algorithm().id);
   if (!document) {
-    show_problems(printable(file.filename().string()) + " was changed and has mistakes; what is shown is its last good version",
-                  std::move(document.diagnostics));
+    show_problems(
+        printable(file.filename().string()) + " was changed and has mistakes; what is shown is its last good version",
+        std::move(document.diagnostics));
     return;
   }
   if (auto wrong = session_->reload(std::move(*document)); !wrong.empty()) {

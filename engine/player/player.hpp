@@ -1,6 +1,6 @@
 #pragma once
-// The application, without a window: what is open, what is lit, where the camera is, what is asked of the person. Panels
-// read it and send functions that change it; a clock calls advance().
+// The application, without a window: what is open, what is lit, where the camera is, what is asked of the person.
+// Panels read it and send functions that change it; a clock calls advance().
 
 #include <functional>
 
@@ -36,10 +36,10 @@ enum class Dialog : std::uint8_t {
   save_answers,
   settings,
   shortcuts,
-  palette,   // all actions by name
-  go_to,     // a step or a value
-  recover,   // edits that a crash left behind
-  unsaved,   // before edits are lost
+  palette,  // all actions by name
+  go_to,    // a step or a value
+  recover,  // edits that a crash left behind
+  unsaved,  // before edits are lost
 };
 
 struct PlayerOptions {
@@ -95,7 +95,7 @@ class Player {
   // ---- how it is looked at ----------------------------------------------------------------------------------------
   const std::optional<Camera>& camera() const { return camera_; }  // nothing: all of it, fitted
   void set_camera(const std::optional<Camera>&);
-  void glide_to(const std::optional<Camera>&);  // there, in a moment (at once with reduced motion)
+  void glide_to(const std::optional<Camera>&);              // there, in a moment (at once with reduced motion)
   void set_view_size(ViewSize size) { view_size_ = size; }  // told by the viewport
   ViewSize view_size() const { return view_size_; }
   Camera shown_camera() const;
@@ -141,13 +141,13 @@ class Player {
   // ---- the window -------------------------------------------------------------------------------------------------
   Settings settings;  // changed freely; saved by and by
   Dialog dialog = Dialog::none;
-  std::string tab = "tableau";  // of the tabbed panels, by id
-  std::string focus;            // the panel that has the keyboard, by id; empty: none in particular
-  Link focused;                 // what in it
-  std::size_t curve = 0;        // which input curve the panels are about
+  std::string tab = "tableau";             // of the tabbed panels, by id
+  std::string focus;                       // the panel that has the keyboard, by id; empty: none in particular
+  Link focused;                            // what in it
+  std::size_t curve = 0;                   // which input curve the panels are about
   std::vector<std::uint32_t> open_phases;  // unfolded in the phase tree
   std::string go_to_text;
-  void cancel_dialog();         // what it was to lead to is not done
+  void cancel_dialog();  // what it was to lead to is not done
   Desk& desk() { return *desk_; }
   void save_lesson(const std::filesystem::path&, const std::string& id, const std::string& title);
   void save_picture(const std::filesystem::path&);

@@ -84,6 +84,7 @@ bool Prediction::veiled(std::uint32_t step) const {
 }
 
 std::optional<std::string> Prediction::answer(std::size_t question, std::vector<std::string> numbers) {
+  if (mark(question)) return "this answer is marked already; Undo takes it back, and counts as a help";
   for (std::string& number : numbers) number = trimmed(number);
   const Part& part = exercise().parts[questions_[question].part];
   // Read within the whole file, for that is limited, too.

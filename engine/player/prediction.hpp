@@ -50,7 +50,8 @@ class Prediction {
   bool veiled(std::uint32_t step) const;
 
   // Answers are taken as typed: "2/5", "-0.4"; what has not the question's shape is refused with the reason, and
-  // nothing changes. An answer replaces an earlier one of the same question; both count in the history.
+  // nothing changes. An answer replaces an earlier one of the same question that is not marked yet; both count in
+  // the history. A marked one stands, for the mark may have told what is right: undo takes it back, counted.
   std::optional<std::string> answer(std::size_t question, std::vector<std::string> numbers);
   // The right value as the answer; counted, and worth nothing, nor is what is answered there afterwards.
   void show_me(std::size_t question);

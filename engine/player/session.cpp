@@ -8,6 +8,8 @@ namespace {
 // While something is dragged, a run in fractions that takes longer than this is made in decimals; the fractions follow
 // when it is let go.
 constexpr double patient_seconds = 0.008;
+// A run in fractions that needs more work (about a quarter of a second) is shown in decimals: nobody waits for it.
+constexpr std::uint64_t patient_work = 50'000'000;
 
 std::string phase_path_text(const TraceGraph& graph, std::uint32_t phase) {
   std::string path;
@@ -30,7 +32,10 @@ Diagnostics Session::record(const Inputs<Exact>& inputs, bool in_gesture) {
   const bool hurry = in_gesture && exact_seconds_ > patient_seconds;
   if (exact_ && !exact_failed_ && !hurry) {
     const auto begin = std::chrono::steady_clock::now();
-    auto made = Recording::make(algorithm(), inputs, true);
+    auto made = [&] {
+      const ExactBudget patience(patient_work);
+      return Recording::make(algorithm(), inputs, true);
+    }();
     exact_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (made) {
       take(std::move(*made));
@@ -86,8 +91,8 @@ bool Session::seek(const std::string& value) {
 }
 
 const Beat* Session::beat() const {
-  const auto found = std::lower_bound(beats_.begin(), beats_.end(), step(),
-                                      [](const Beat& b, std::uint32_t s) { return b.step < s; });
+  const auto found =
+      std::lower_bound(beats_.begin(), beats_.end(), step(), [](const Beat& b, std::uint32_t s) { return b.step < s; });
   return found != beats_.end() && found->step == step() ? &*found : nullptr;
 }
 

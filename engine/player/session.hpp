@@ -1,7 +1,7 @@
 #pragma once
-// One open document: its inputs as they are edited, the run of them, and where one is in it. After every edit the run is
-// recorded anew and one stays at the same step: the one that makes the value one was looking at. A value that an edit
-// takes away and a later one brings back is found again.
+// One open document: its inputs as they are edited, the run of them, and where one is in it. After every edit the run
+// is recorded anew and one stays at the same step: the one that makes the value one was looking at. A value that an
+// edit takes away and a later one brings back is found again.
 
 #include "player/document.hpp"
 #include "player/edit.hpp"
@@ -43,8 +43,8 @@ class Session {
   // The step that makes the value of this name, if there is one.
   bool seek(const std::string& value);
 
-  // What is said here: the lesson's words, or the algorithm's own. A lesson's words are about its own numbers: where the
-  // inputs were edited the algorithm's own words come first, and these stand in `lesson`.
+  // What is said here: the lesson's words, or the algorithm's own. A lesson's words are about its own numbers: where
+  // the inputs were edited the algorithm's own words come first, and these stand in `lesson`.
   struct Words {
     std::string text;
     std::string lesson;  // what the lesson said of its own numbers; empty while they are what one sees
@@ -65,7 +65,7 @@ class Session {
   bool undo();
   bool redo();
   const History<Inputs<Exact>>& history() const { return history_; }
-  bool revert();  // to the document's inputs, as an edit
+  bool revert();                            // to the document's inputs, as an edit
   FieldTexts& fields() { return fields_; }  // what is typed and not applied
   const FieldTexts& fields() const { return fields_; }
 

@@ -25,8 +25,9 @@ std::string joined(const std::vector<std::uint32_t>& numbers) {
 }
 
 std::string dialog_name(Dialog dialog) {
-  static constexpr const char* names[] = {"none",     "open",      "save_lesson", "save_picture", "save_answers",
-                                          "settings", "shortcuts", "palette",     "go_to",        "recover", "unsaved"};
+  static constexpr const char* names[] = {"none",         "open",     "save_lesson", "save_picture",
+                                          "save_answers", "settings", "shortcuts",   "palette",
+                                          "go_to",        "recover",  "unsaved"};
   return names[static_cast<std::size_t>(dialog)];
 }
 
@@ -52,8 +53,8 @@ const std::map<std::string, Reader, std::less<>>& of_player() {
       {"camera",
        [](Player& p) {
          const Camera c = p.shown_camera();
-         return number(c.centre.x) + " " + number(c.centre.y) + " " + number(c.centre.z) + " " + number(c.height) + " " +
-                number(c.azimuth) + " " + number(c.elevation) + (c.perspective ? " perspective" : "");
+         return number(c.centre.x) + " " + number(c.centre.y) + " " + number(c.centre.z) + " " + number(c.height) +
+                " " + number(c.azimuth) + " " + number(c.elevation) + (c.perspective ? " perspective" : "");
        }},
   };
   return readers;
@@ -80,7 +81,8 @@ const std::map<std::string, Reader, std::less<>>& of_open() {
            text += (text.empty() ? "" : " ") + p.session()->recording().graph().name(v) + "=" + number(share);
          return text;
        }},
-      {"why", [](Player& p) {
+      {"why",
+       [](Player& p) {
          const auto v = p.why_asked();
          return v ? p.session()->recording().graph().name(*v) : std::string("none");
        }},
@@ -143,7 +145,8 @@ std::optional<std::string> of_prediction(const Session& session, const std::stri
     std::string text;
     for (std::size_t i = 0; i < prediction->questions().size(); ++i)
       if (const auto mark = prediction->mark(i))
-        text += (text.empty() ? "" : " ") + prediction->questions()[i].name + "=" + std::string(verdict_name(mark->verdict));
+        text += (text.empty() ? "" : " ") + prediction->questions()[i].name + "=" +
+                std::string(verdict_name(mark->verdict));
     return text;
   }
   if (key == "finished") return yes(prediction->finished());
@@ -158,7 +161,8 @@ std::optional<std::string> of_prediction(const Session& session, const std::stri
 
 std::optional<std::string> of_inputs(const Player& player, const std::string& key) {
   const Inputs<Exact>& inputs = player.session()->inputs();
-  if (const auto found = inputs.values.find(key); found != inputs.values.end()) return write_input<Exact>(found->second);
+  if (const auto found = inputs.values.find(key); found != inputs.values.end())
+    return write_input<Exact>(found->second);
   const auto curves = curves_of(inputs);
   if (curves.empty()) return std::nullopt;
   const auto& curve = curve_at(inputs, curves[std::min(player.curve, curves.size() - 1)]);
@@ -201,8 +205,8 @@ std::vector<std::string> state_keys() {
   for (const auto& [key, reader] : of_player()) keys.push_back(key);
   for (const auto& [key, reader] : of_open()) keys.push_back(key);
   for (const auto& [key, reader] : of_session()) keys.push_back(key);
-  for (const char* key : {"question", "answered", "verdicts", "finished", "score", "shown", "undos", "u", "degree", "points",
-                          "kind-of-curve", "knots"})
+  for (const char* key : {"question", "answered", "verdicts", "finished", "score", "shown", "undos", "u", "degree",
+                          "points", "kind-of-curve", "knots"})
     keys.emplace_back(key);
   return keys;
 }

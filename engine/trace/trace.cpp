@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 
 namespace blossom {
 
@@ -71,19 +72,34 @@ std::string TraceGraph::scope(ValueId v) const {
   return text;
 }
 
-std::string TraceGraph::name(ValueId v) const {
-  const Name& name = values_[v].name;
-  std::string text = scope(v) + name.symbol.text();
-  for (int i = 0; i < name.arity; ++i) text += "[" + std::to_string(name.index[i]) + "]";
-  return text;
+namespace {
+
+std::string name_in(std::string scope, const Name& name) {
+  for (std::uint64_t rest = name.symbol.packed; rest != 0; rest >>= 8) scope += static_cast<char>(rest & 0xff);
+  char digits[16];
+  for (int i = 0; i < name.arity; ++i) {
+    const auto end = std::to_chars(digits, digits + sizeof digits, name.index[i]).ptr;
+    scope.append(1, '[').append(digits, end).append(1, ']');
+  }
+  return scope;
 }
 
+}  // namespace
+
+std::string TraceGraph::name(ValueId v) const { return name_in(scope(v), values_[v].name); }
+
 std::optional<ValueId> TraceGraph::find(std::string_view name) const {
-  if (index_.empty())
+  if (index_.empty()) {
+    index_.reserve(value_count());
+    // Neighbours mostly share their scope, which takes longer to find than the rest of the name.
+    std::string scope;
     for (ValueId v = 0; v < value_count(); ++v) {
-      [[maybe_unused]] const bool unique = index_.emplace(this->name(v), v).second;
+      const bool same = v > 0 && phase_of(v) == phase_of(v - 1) && values_[v].name.outer == values_[v - 1].name.outer;
+      if (!same) scope = this->scope(v);
+      [[maybe_unused]] const bool unique = index_.emplace(name_in(scope, values_[v].name), v).second;
       assert(unique && "two values of one name");
     }
+  }
   const auto it = index_.find(std::string(name));
   return it == index_.end() ? std::nullopt : std::optional(it->second);
 }

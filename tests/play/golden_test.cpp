@@ -10,8 +10,8 @@ using namespace blossom::test;
 TEST_CASE("The golden pictures of the window") {
   const Scratch scratch;
   const std::string tests = std::string(BLOSSOM_SOURCE_DIR) + "/tests/";
-  const Ended ended = test::blossom({"play", "--headless-script", tests + "play/golden.txt", "--out", scratch / "out",
-                                     "--state", scratch / "state"});
+  const Ended ended = test::blossom(
+      {"play", "--headless-script", tests + "play/golden.txt", "--out", scratch / "out", "--state", scratch / "state"});
   SHOW(ended);
   REQUIRE(ended.status == 0);
   int count = 0;

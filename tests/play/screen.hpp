@@ -1,7 +1,7 @@
 #pragma once
-// A real X display for tests, Xvfb's, with somebody at its keyboard and mouse, xdotool; and programs that run beside the
-// test. What the display shows is read from the file that Xvfb keeps its frame buffer in (a dump as X11's xwd(1) makes
-// them, XWDFile.h), so nothing is needed to take a picture.
+// A real X display for tests, Xvfb's, with somebody at its keyboard and mouse, xdotool; and programs that run beside
+// the test. What the display shows is read from the file that Xvfb keeps its frame buffer in (a dump as X11's xwd(1)
+// makes them, XWDFile.h), so nothing is needed to take a picture.
 
 #include <fcntl.h>
 #include <poll.h>

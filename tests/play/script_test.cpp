@@ -12,7 +12,8 @@ struct Played {
   std::string script;
 
   explicit Played(const std::string& text) : script(scratch.write("script.txt", text)) {
-    ended = test::blossom({"play", "--headless-script", script, "--out", scratch / "out", "--state", scratch / "state"});
+    ended =
+        test::blossom({"play", "--headless-script", script, "--out", scratch / "out", "--state", scratch / "state"});
   }
 };
 
@@ -63,14 +64,14 @@ TEST_CASE("A script whose expectation does not hold fails and says what is") {
 
 TEST_CASE("A script that is missing, a folder, empty or enormous is a mistake") {
   const Scratch scratch;
-  for (const std::string& script : {scratch / "missing.txt", scratch.path(), scratch.write("empty.txt", "# nothing\n"),
-                                    scratch.write("binary.txt", std::string(5000, '\0')),
-                                    scratch.write("large.txt", std::string(3u << 20, '#')),
-                                    scratch.write("long.txt", [] {
-                                      std::string text;
-                                      for (int i = 0; i < 10001; ++i) text += "key Right\n";
-                                      return text;
-                                    }())}) {
+  for (const std::string& script :
+       {scratch / "missing.txt", scratch.path(), scratch.write("empty.txt", "# nothing\n"),
+        scratch.write("binary.txt", std::string(5000, '\0')), scratch.write("large.txt", std::string(3u << 20, '#')),
+        scratch.write("long.txt", [] {
+          std::string text;
+          for (int i = 0; i < 10001; ++i) text += "key Right\n";
+          return text;
+        }())}) {
     INFO(script);
     const Ended ended = test::blossom({"play", "--headless-script", script, "--out", scratch / "out"});
     SHOW(ended);
@@ -112,7 +113,8 @@ TEST_CASE("What is opened or dropped and cannot be read keeps the old document a
   };
   for (const char* verb : {"open", "drop"})
     for (const Hostile& bad : hostile) {
-      const Played played("open lessons/05-de-boor.json\nkey Right\nkey Right\n" + std::string(verb) + " \"" + bad.file +
+      const Played played("open lessons/05-de-boor.json\nkey Right\nkey Right\n" + std::string(verb) + " \"" +
+                          bad.file +
                           "\"\nexpect title \"De Boor's algorithm: a point on a B-spline curve\"\nexpect step 2\n" +
                           "state after\nshot after\nkey Escape\nexpect problems \"\"\nkey Right\nexpect step 3\n");
       SHOW(played.ended);
@@ -137,7 +139,8 @@ TEST_CASE("A lesson that is wrong when the player starts is told before there is
 
 TEST_CASE("A script makes the same pictures every time") {
   const std::string text =
-      "open lessons/05-de-boor.json\nkey End\nshot last\nkey Home\nkey Right\nwait 0.2\nshot moving\nkey T\nshot dark\n";
+      "open lessons/05-de-boor.json\nkey End\nshot last\nkey Home\nkey Right\nwait 0.2\nshot moving\nkey T\nshot "
+      "dark\n";
   const Played once(text), again(text);
   SHOW(once.ended);
   REQUIRE(once.ended.status == 0);

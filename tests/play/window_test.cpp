@@ -170,7 +170,8 @@ shot undone
 
 TEST_CASE("The window does nothing while nothing happens") {
   if (!Screen::possible()) return;
-  const Rehearsal rehearsal("size 1280 720\nopen lessons/05-de-boor.json\nmove \"timeline position\"\nthings t\nshot s\n");
+  const Rehearsal rehearsal(
+      "size 1280 720\nopen lessons/05-de-boor.json\nmove \"timeline position\"\nthings t\nshot s\n");
   Screen screen(width, height);
   Window window(screen, {"05"});
   const auto neutral = rehearsal.middle("t", "timeline position");

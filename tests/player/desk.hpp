@@ -27,8 +27,7 @@ inline PlayerOptions options_in(const Scratch& scratch, bool watch = false) {
 }
 
 struct World {
-  explicit World(bool watch = false)
-      : player_(std::make_unique<Player>(options_in(scratch, watch), desk)) {}
+  explicit World(bool watch = false) : player_(std::make_unique<Player>(options_in(scratch, watch), desk)) {}
   Player& player() { return *player_; }
 
   Scratch scratch;

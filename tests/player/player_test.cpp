@@ -91,8 +91,8 @@ TEST_CASE("A player begins with nothing open, and opens lessons, exercises and p
   CHECK(state(player, "kind") == "exercise");
   CHECK(state(player, "predicting") == "yes");
   CHECK(player.tab == "predict");
-  const auto inputs = world.scratch.write(
-      "mine.json", R"({"curve": {"degree": 2, "points": [[0,0],[1,2],[2,0]]}, "u": "1/3"})");
+  const auto inputs =
+      world.scratch.write("mine.json", R"({"curve": {"degree": 2, "points": [[0,0],[1,2],[2,0]]}, "u": "1/3"})");
   REQUIRE(player.open(inputs, "de_casteljau"));
   CHECK(state(player, "kind") == "inputs");
   CHECK(player.session()->inputs().number("u") == Exact::ratio(1, 3));
@@ -106,9 +106,10 @@ TEST_CASE("What cannot be opened leaves what is open where it is, and is said wi
   open(player, de_boor);
   go_to(player, "P[1][3]");
   const auto broken = world.scratch.write("broken.json", replaced(text_of(de_boor), "\"degree\": 3", "\"degree\": 33"));
-  for (const std::string& file : {broken, world.scratch / "missing.json", world.scratch.path(),
-                                  world.scratch.write("empty.json", ""), world.scratch.write("binary.json", std::string(9, '\0')),
-                                  world.scratch.write("deep.json", std::string(100000, '['))}) {
+  for (const std::string& file :
+       {broken, world.scratch / "missing.json", world.scratch.path(), world.scratch.write("empty.json", ""),
+        world.scratch.write("binary.json", std::string(9, '\0')),
+        world.scratch.write("deep.json", std::string(100000, '['))}) {
     INFO(file);
     CHECK_FALSE(player.open(file));
     CHECK(made(player) == "P[1][3]");
@@ -247,10 +248,17 @@ TEST_CASE("Before edits are lost one is asked") {
     proceed_after_unsaved(player);
     CHECK(done == 2);
   }
-  SECTION("after saving nobody asks") {
+  SECTION("after saving it goes on, and nobody asks") {
     player.save_lesson(world.scratch / "saved.json", "mine", "Mine");
-    player.unless_unsaved([&](Player&) { ++done; });
     CHECK(done == 2);
+    player.unless_unsaved([&](Player&) { ++done; });
+    CHECK(done == 3);
+  }
+  SECTION("what was cancelled is not done by a later saving") {
+    player.cancel_dialog();
+    CHECK(player.dialog == Dialog::none);
+    player.save_lesson(world.scratch / "saved.json", "mine", "Mine");
+    CHECK(done == 1);
   }
   SECTION("quitting waits for the answer") {
     perform(player, "file.quit");

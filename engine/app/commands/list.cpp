@@ -28,7 +28,7 @@ int list(const std::string& given) {
   for (const Algorithm* a : algorithms()) rows.push_back({std::string(a->id), std::string(a->summary)});
   std::cout << "\nAlgorithms\n" << table(rows) << "\nNext: ";
   if (has_lessons)
-    std::cout << "blossom trace LESSON, blossom play LESSON, blossom render LESSON --all\n";
+    std::cout << "blossom trace LESSON, blossom step LESSON, blossom play LESSON, blossom render LESSON --all\n";
   else
     std::cout << "blossom trace --algorithm ALGORITHM --inputs FILE (see blossom trace --help)\n";
   return report(catalog.diagnostics);

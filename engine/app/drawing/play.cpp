@@ -82,7 +82,7 @@ void set_up(CLI::App& app, int& status) {
   app.add_option("--algorithm", options->algorithm,
                  "For a file of inputs: the algorithm. Alone: this algorithm with the inputs of a lesson about it");
   auto* script =
-      app.add_option("--headless-script", options->script, "Without a window: do what this file says, see `blossom list`");
+      app.add_option("--headless-script", options->script, "Without a window: do what this file says, line by line; README.md tells how");
   app.add_option("--out", options->out, "The folder for the script's pictures")->needs(script)->capture_default_str();
   app.add_flag("--times", options->times, "Tell at the end what the first frame and all others took")->excludes(script);
   app.add_option("--state", options->state, "Keep settings, progress and autosaves in this folder, not in XDG's");

@@ -19,7 +19,9 @@ const ActionGroup& actions_edit() {
       "Edit",
       20,
       {
-          {"edit.undo", "Undo", {"Ctrl+Z"},
+          {"edit.undo",
+           "Undo",
+           {"Ctrl+Z"},
            [](Player& p) {
              if (predicts(p))
                p.session()->prediction()->undo();
@@ -27,7 +29,9 @@ const ActionGroup& actions_edit() {
                p.notice("Undone: " + p.session()->history().redo_what());
            },
            [](const Player& p) { return is_open(p) && (predicts(p) || p.session()->history().can_undo()); }},
-          {"edit.redo", "Redo", {"Ctrl+Y", "Ctrl+Shift+Z"},
+          {"edit.redo",
+           "Redo",
+           {"Ctrl+Y", "Ctrl+Shift+Z"},
            [](Player& p) {
              if (predicts(p))
                p.session()->prediction()->redo();
@@ -35,21 +39,68 @@ const ActionGroup& actions_edit() {
                p.notice("Done again: " + p.session()->history().undo_what());
            },
            [](const Player& p) { return is_open(p) && (predicts(p) || p.session()->history().can_redo()); }},
-          {"edit.revert", "Take back all edits", {}, [](Player& p) { p.session()->revert(); },
+          {"edit.revert",
+           "Take back all edits",
+           {},
+           [](Player& p) { p.session()->revert(); },
            [](const Player& p) { return is_open(p) && p.session()->edited(); }},
-          {"edit.nudge_left", "Move the point left", {"Shift+Left"}, [](Player& p) { p.nudge({-1, 0, 0}); }, has_point},
-          {"edit.nudge_right", "Move the point right", {"Shift+Right"}, [](Player& p) { p.nudge({1, 0, 0}); }, has_point},
-          {"edit.nudge_up", "Move the point up", {"Shift+Up"}, [](Player& p) { p.nudge({0, 1, 0}); }, has_point},
-          {"edit.nudge_down", "Move the point down", {"Shift+Down"}, [](Player& p) { p.nudge({0, -1, 0}); }, has_point},
-          {"edit.nudge_nearer", "Move the point nearer", {"Shift+PageDown"}, [](Player& p) { p.nudge({0, 0, 1}); },
-           has_spatial_point},
-          {"edit.nudge_farther", "Move the point away", {"Shift+PageUp"}, [](Player& p) { p.nudge({0, 0, -1}); },
-           has_spatial_point},
-          {"edit.insert_point", "Add a point behind", {"Insert"},
-           [](Player& p) { p.add_point_behind(*p.chosen_point()); }, has_point},
-          {"edit.delete_point", "Delete this point", {"Delete"}, [](Player& p) { p.remove_point(*p.chosen_point()); },
+          {"edit.nudge_left",
+           "Move the point left",
+           {"Shift+Left"},
+           [](Player& p) {
+             p.nudge({-1, 0, 0});
+           },
            has_point},
-          {"edit.snap", "Snap to the grid", {"S"}, [](Player& p) { p.settings.snap = !p.settings.snap; }, nullptr,
+          {"edit.nudge_right",
+           "Move the point right",
+           {"Shift+Right"},
+           [](Player& p) {
+             p.nudge({1, 0, 0});
+           },
+           has_point},
+          {"edit.nudge_up",
+           "Move the point up",
+           {"Shift+Up"},
+           [](Player& p) {
+             p.nudge({0, 1, 0});
+           },
+           has_point},
+          {"edit.nudge_down",
+           "Move the point down",
+           {"Shift+Down"},
+           [](Player& p) {
+             p.nudge({0, -1, 0});
+           },
+           has_point},
+          {"edit.nudge_nearer",
+           "Move the point nearer",
+           {"Shift+PageDown"},
+           [](Player& p) {
+             p.nudge({0, 0, 1});
+           },
+           has_spatial_point},
+          {"edit.nudge_farther",
+           "Move the point away",
+           {"Shift+PageUp"},
+           [](Player& p) {
+             p.nudge({0, 0, -1});
+           },
+           has_spatial_point},
+          {"edit.insert_point",
+           "Add a point behind",
+           {"Insert"},
+           [](Player& p) { p.add_point_behind(*p.chosen_point()); },
+           has_point},
+          {"edit.delete_point",
+           "Delete this point",
+           {"Delete"},
+           [](Player& p) { p.remove_point(*p.chosen_point()); },
+           has_point},
+          {"edit.snap",
+           "Snap to the grid",
+           {"S"},
+           [](Player& p) { p.settings.snap = !p.settings.snap; },
+           nullptr,
            [](const Player& p) { return p.settings.snap; }},
       }};
   return group;

@@ -24,12 +24,17 @@ const ActionGroup& actions_help() {
       "Help",
       60,
       {
-          {"help.why", "Why this value?", {"W"},
+          {"help.why",
+           "Why this value?",
+           {"W"},
            [](Player& p) {
              if (const auto v = asked_value(p)) p.ask_why(*v);
            },
            [](const Player& p) { return is_open(p) && asked_value(p).has_value(); }},
-          {"help.pin", "Pin what has the focus", {"Enter"}, [](Player& p) { p.pin(p.focused); },
+          {"help.pin",
+           "Pin what has the focus",
+           {"Enter"},
+           [](Player& p) { p.pin(p.focused); },
            [](const Player& p) { return is_open(p) && static_cast<bool>(p.focused); }},
           {"help.scheme", "Show the scheme", {"Ctrl+1"}, [](Player& p) { show(p, "tableau"); }, is_open},
           {"help.inputs", "Show the inputs", {"Ctrl+2"}, [](Player& p) { show(p, "inputs"); }, is_open},

@@ -26,7 +26,9 @@ void draw(Ui& ui) {
   ui.sheet("basis", std::move(sheet), width, height);
 }
 
+// Of several profiles, those of one would say little beside the surface.
 bool relevant(const Player& player) {
+  if (player.session()->recording().source().curves.size() != 1) return false;
   return knot_axis(player.session()->recording().source(), curve_of(player), 0, 100).has_value();
 }
 

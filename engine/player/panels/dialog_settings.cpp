@@ -72,6 +72,11 @@ void check(Ui& ui, const char* label, const char* name, const char* action, bool
 void draw(Ui& ui) {
   if (!begin_dialog(ui, "Settings", 470)) return;
   const Settings& settings = ui.player().settings;
+  // With large text they scroll above the button.
+  static float content = 0;
+  const float below = ImGui::GetFrameHeightWithSpacing() + ui.px(12);
+  ImGui::BeginChild("settings", {0, std::min(std::max(content, ui.px(60)), dialog_room(ui, below))}, false,
+                    ImGuiWindowFlags_NavFlattened);
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, std::max(1.0f, ui.px(1)));  // what is off is to be seen, too
   themes(ui);
   ImGui::Dummy({0, ui.px(2)});
@@ -95,6 +100,9 @@ void draw(Ui& ui) {
   check(ui, "Grid and axes", "settings grid", "view.grid", settings.grid);
   check(ui, "Points snap to the grid", "settings snap", "edit.snap", settings.snap);
   ImGui::PopStyleVar();
+  const float used = ImGui::GetCursorPosY() + ImGui::GetScrollY();
+  if (std::exchange(content, used) != used) ui.redraw();
+  ImGui::EndChild();
   if (dialog_buttons(ui, "Done", true, nullptr)) close_dialog(ui);
   end_dialog();
 }

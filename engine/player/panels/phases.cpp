@@ -12,15 +12,14 @@ void draw(Ui& ui) {
   ImGui::BeginChild("tree", {0, 0}, false, ImGuiWindowFlags_NoNavInputs);
   const double width = ui.units(ImGui::GetContentRegionAvail().x);
   Sheet sheet;
-  const double height = add_phase_tree(sheet, session.recording().source(), session.step(), ui.player().open_phases, 2, 2,
-                                       width - 4);
+  const double height =
+      add_phase_tree(sheet, session.recording().source(), session.step(), ui.player().open_phases, 2, 2, width - 4);
   const Spot* over = ui.sheet("phases", std::move(sheet), width, height, {.clickable = false});
   if (over != nullptr && over->link.kind == Link::Kind::phase) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsMouseClicked(0))
-      ui.send([phase = over->link.id](Player& p) {
-        p.seek(p.session()->recording().graph().phases()[phase].first_step);
-      });
+      ui.send(
+          [phase = over->link.id](Player& p) { p.seek(p.session()->recording().graph().phases()[phase].first_step); });
   }
   ImGui::EndChild();
 }

@@ -19,7 +19,8 @@ void say(Ui& ui, const std::string& text, double size, Role role) {
 
 void invite(Ui& ui) {
   ImGui::TextWrapped(
-      "Say what each step makes before you see it: type it, or click the place in the picture. Your answers can be saved "
+      "Say what each step makes before you see it: type it, or click the place in the picture. Your answers can be "
+      "saved "
       "as a file to hand in.");
   ImGui::Spacing();
   if (ui.button("Predict the steps", "predict start")) ui.act("predict.toggle");
@@ -43,7 +44,8 @@ Mark mark_of(const Prediction& prediction, std::size_t question) {
 void draw_mark(Ui& ui, Mark mark, ImVec2 c, float r) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto tick = [&](ImU32 color) {
-    const ImVec2 points[] = {{c.x - 0.8f * r, c.y + 0.05f * r}, {c.x - 0.2f * r, c.y + 0.65f * r}, {c.x + 0.85f * r, c.y - 0.65f * r}};
+    const ImVec2 points[] = {
+        {c.x - 0.8f * r, c.y + 0.05f * r}, {c.x - 0.2f * r, c.y + 0.65f * r}, {c.x + 0.85f * r, c.y - 0.65f * r}};
     list.AddPolyline(points, 3, color, 0, r * 0.4f);
   };
   switch (mark) {
@@ -65,20 +67,28 @@ void draw_mark(Ui& ui, Mark mark, ImVec2 c, float r) {
       tick(ui.color(Role::right));
       break;
     case Mark::wrong:
-      list.AddLine({c.x - 0.65f * r, c.y - 0.65f * r}, {c.x + 0.65f * r, c.y + 0.65f * r}, ui.color(Role::mistake), r * 0.4f);
-      list.AddLine({c.x + 0.65f * r, c.y - 0.65f * r}, {c.x - 0.65f * r, c.y + 0.65f * r}, ui.color(Role::mistake), r * 0.4f);
+      list.AddLine({c.x - 0.65f * r, c.y - 0.65f * r}, {c.x + 0.65f * r, c.y + 0.65f * r}, ui.color(Role::mistake),
+                   r * 0.4f);
+      list.AddLine({c.x + 0.65f * r, c.y - 0.65f * r}, {c.x - 0.65f * r, c.y + 0.65f * r}, ui.color(Role::mistake),
+                   r * 0.4f);
       break;
   }
 }
 
 const char* mark_text(Mark mark) {
   switch (mark) {
-    case Mark::open: return "not answered yet";
-    case Mark::answered: return "answered";
-    case Mark::shown: return "shown: earns nothing";
-    case Mark::right: return "right";
-    case Mark::partly: return "right rule, on an earlier mistake";
-    case Mark::wrong: return "wrong";
+    case Mark::open:
+      return "not answered yet";
+    case Mark::answered:
+      return "answered";
+    case Mark::shown:
+      return "shown: earns nothing";
+    case Mark::right:
+      return "right";
+    case Mark::partly:
+      return "right rule, on an earlier mistake";
+    case Mark::wrong:
+      return "wrong";
   }
   return "";
 }
@@ -100,11 +110,13 @@ void draw_marks(Ui& ui, const Prediction& prediction, std::optional<std::size_t>
     ui.thing("predict question " + question.name);
     const Mark mark = mark_of(prediction, q);
     if (ImGui::IsItemHovered() || ImGui::IsItemFocused()) {
-      ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side}, ui.color(Role::rule_line, 0.5), ui.px(4));
+      ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side}, ui.color(Role::rule_line, 0.5),
+                                                ui.px(4));
       ImGui::SetTooltip("%s: %s", question.name.c_str(), mark_text(mark));
     }
     if (asked == q)
-      ImGui::GetWindowDrawList()->AddRect(at, {at.x + side, at.y + side}, ui.color(Role::current), ui.px(4), 0, ui.px(2));
+      ImGui::GetWindowDrawList()->AddRect(at, {at.x + side, at.y + side}, ui.color(Role::current), ui.px(4), 0,
+                                          ui.px(2));
     draw_mark(ui, mark, {at.x + side / 2, at.y + side / 2}, side * 0.3f);
   }
   ImGui::PopStyleVar();
@@ -185,8 +197,10 @@ void draw_fields(Ui& ui, const Session& session, const Question& question, std::
   const auto labels = labels_of(question, session.recording().source().dimension);
   const auto& draft = ui.player().draft();
   const bool list = question.size == 0;
-  const float width = list ? ImGui::GetContentRegionAvail().x - ui.px(100)
-                           : std::min(ui.px(110), (ImGui::GetContentRegionAvail().x - ui.px(20)) / static_cast<float>(labels.size()) - ui.px(26));
+  const float width =
+      list ? ImGui::GetContentRegionAvail().x - ui.px(100)
+           : std::min(ui.px(110),
+                      (ImGui::GetContentRegionAvail().x - ui.px(20)) / static_cast<float>(labels.size()) - ui.px(26));
   bool entered = false;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     std::string text;
@@ -204,7 +218,8 @@ void draw_fields(Ui& ui, const Session& session, const Question& question, std::
     }
     ImGui::PushID(static_cast<int>(q * 8 + i));
     ImGui::SetNextItemWidth(width);
-    if (ImGui::InputTextWithHint("##number", list ? "0, 0, 1/2, 1, 1" : "2/5", &text, ImGuiInputTextFlags_EnterReturnsTrue))
+    if (ImGui::InputTextWithHint("##number", list ? "0, 0, 1/2, 1, 1" : "2/5", &text,
+                                 ImGuiInputTextFlags_EnterReturnsTrue))
       entered = true;
     if (ImGui::IsItemEdited()) {
       if (list)
@@ -266,7 +281,8 @@ void draw_feedback(Ui& ui, const Prediction& prediction, std::size_t q) {
 void draw_end(Ui& ui, const Prediction& prediction) {
   if (const auto grade = prediction.grade()) {
     ImGui::PushFont(ui.bold());
-    ImGui::Text("%s of %s points", grade->points.to_string().c_str(), prediction.exercise().max_points.to_string().c_str());
+    ImGui::Text("%s of %s points", grade->points.to_string().c_str(),
+                prediction.exercise().max_points.to_string().c_str());
     ImGui::PopFont();
     ui.thing("predict score");
   } else {
@@ -297,7 +313,8 @@ void draw(Ui& ui) {
     draw_feedback(ui, *prediction, *asked);
   else if (last && !prediction->finished())
     draw_feedback(ui, *prediction, *last);
-  if (asked && (!prediction->finished() || prediction->attempt(*asked))) draw_question(ui, session, *prediction, *asked);
+  if (asked && (!prediction->finished() || prediction->attempt(*asked)))
+    draw_question(ui, session, *prediction, *asked);
   if (prediction->finished() && !asked)
     for (std::size_t q = 0; q < prediction->questions().size(); ++q) draw_feedback(ui, *prediction, q);
 

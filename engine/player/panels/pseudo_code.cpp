@@ -9,8 +9,8 @@ void draw(Ui& ui) {
   const Session& session = *ui.player().session();
   const double width = ui.units(ImGui::GetContentRegionAvail().x);
   Sheet sheet;
-  const double height = add_pseudo_code(sheet, session.recording().source(), session.step(), ui.player().emphasis(), 6, 4,
-                                        width - 12);
+  const double height =
+      add_pseudo_code(sheet, session.recording().source(), session.step(), ui.player().emphasis(), 6, 4, width - 12);
   ui.sheet("code", std::move(sheet), width, height);
 }
 

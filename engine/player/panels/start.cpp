@@ -216,7 +216,7 @@ void draw_lost_work(Ui& ui) {
   if (lost.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ui.color(Role::panel));
   ImGui::PushStyleColor(ImGuiCol_Border, ui.color(Role::current));
-  const float height = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeight() + ui.px(26);
+  const float height = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeight() + ui.px(18);
   if (ImGui::BeginChild("lost", {0, height}, true, ImGuiWindowFlags_NoScrollbar)) {
     const std::string title = lost.front().title.empty() ? "a lesson" : printable(lost.front().title);
     std::string text = "\u25B2 Edits of \u201C" + title + "\u201D were not saved when the window closed.";

@@ -12,9 +12,7 @@ namespace {
 struct Track {  // pixels
   float left, right, y;
   std::uint32_t last;
-  float place(double step) const {
-    return last == 0 ? left : left + static_cast<float>(step / last) * (right - left);
-  }
+  float place(double step) const { return last == 0 ? left : left + static_cast<float>(step / last) * (right - left); }
   std::uint32_t step(float x) const {
     const double share = std::clamp((x - left) / std::max(right - left, 1.0f), 0.0f, 1.0f);
     return static_cast<std::uint32_t>(std::lround(share * last));
@@ -31,7 +29,8 @@ void draw_phases(Ui& ui, const Session& session, const Track& track) {
     if (phase.parent != absent) continue;
     const float from = track.place(phase.first_step), to = track.place(phase.last_step + 1.0);
     const float top = track.y + ui.px(7), bottom = top + ui.px(15);
-    list.AddRectFilled({from, top}, {std::min(to, track.right), bottom}, ui.color(Role::rule_line, odd ? 0.8 : 0.45), ui.px(3));
+    list.AddRectFilled({from, top}, {std::min(to, track.right), bottom}, ui.color(Role::rule_line, odd ? 0.8 : 0.45),
+                       ui.px(3));
     odd = !odd;
     const std::string title = source.phase_title(i);
     ImGui::PushFont(ui.small());
@@ -68,7 +67,8 @@ void draw_track(Ui& ui, const Session& session, const Track& track) {
   for (const std::uint32_t step : session.bookmarks()) {
     const float x = track.place(step);
     list.AddLine({x, y - ui.px(13)}, {x, y}, ui.color(Role::result), ui.px(1.6));
-    list.AddTriangleFilled({x, y - ui.px(13)}, {x + ui.px(9), y - ui.px(10)}, {x, y - ui.px(7)}, ui.color(Role::result));
+    list.AddTriangleFilled({x, y - ui.px(13)}, {x + ui.px(9), y - ui.px(10)}, {x, y - ui.px(7)},
+                           ui.color(Role::result));
   }
   list.AddCircleFilled({here, y}, ui.px(8), ui.color(Role::current), 24);
   list.AddCircle({here, y}, ui.px(8), ImGui::ColorConvertFloat4ToU32(ImGui::GetStyleColorVec4(ImGuiCol_WindowBg)), 24,
@@ -82,7 +82,8 @@ std::string describe(const Session& session, std::uint32_t step) {
     text += "\n" + session.recording().source().phase_title(phase);
   if (const ValueId v = graph.main_value(step); v != absent && !graph.is_input(v)) text += "\nmakes " + graph.name(v);
   const auto& marks = session.beats();
-  if (std::any_of(marks.begin(), marks.end(), [&](const Beat& b) { return b.step == step; })) text += "\na beat of the lesson";
+  if (std::any_of(marks.begin(), marks.end(), [&](const Beat& b) { return b.step == step; }))
+    text += "\na beat of the lesson";
   return text;
 }
 
@@ -103,9 +104,7 @@ void scrubber(Ui& ui, const Session& session) {
         p.session()->move([=](Timeline& t) { return t.set_loop(std::min(from, step), std::max(from, step)), false; });
       });
     } else {
-      ui.send([step](Player& p) {
-        p.move([=](Timeline& t) { return t.pause(), t.seek(step); });
-      });
+      ui.send([step](Player& p) { p.move([=](Timeline& t) { return t.pause(), t.seek(step); }); });
     }
   } else if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("%s", describe(session, track.step(mouse)).c_str());

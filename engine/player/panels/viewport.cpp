@@ -164,12 +164,13 @@ void draw_held(Ui& ui, const Mouse& mouse, ImVec2 low, ImVec2 high) {
   const auto beside = [&](glm::dvec2 at) {
     return ImVec2{mouse.origin.x + ui.px(at.x + 14), mouse.origin.y + ui.px(at.y + 14)};
   };
-  if (const auto* stuck = std::get_if<StuckGrip>(player.held())) {
-    draw_tag(ui, list, beside(player.held_at()), stuck->why, Role::text, low, high);
+  if (const auto* stuck = std::get_if<StuckGrip>(player.held())) {  // a notice says why
     if (const auto v = source.graph->find(stuck->name)) ui.light({Link::Kind::value, *v}, "viewport");
     return;
   }
-  draw_tag(ui, list, {low.x, high.y}, hint(player), Role::text_quiet, low, high);
+  // In the very corner, where the fitted picture leaves room.
+  const ImVec2 corner{mouse.origin.x + ui.px(2), mouse.origin.y + ui.px(mouse.size.height - 2)};
+  draw_tag(ui, list, {corner.x, corner.y}, hint(player), Role::text_quiet, {corner.x, low.y}, {high.x, corner.y});
   const auto* point = std::get_if<PointGrip>(player.held());
   if (point == nullptr) return;
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -256,9 +257,11 @@ void draw(Ui& ui) {
   const Spot* found = ui.sheet("viewport", std::move(sheet), size.width, size.height, {.clickable = !asks});
   if (asks && found != nullptr && ImGui::IsMouseClicked(1)) ui.open_menu(found->link);
 
+  // In a small picture they would stand on the points; keys and menus have them all.
+  const bool roomy = size.width >= 300 && size.height >= 200;
   ImGui::PushFont(ui.small());
-  draw_tools(ui, plane_tools, low, high);
-  if (options.camera->kind == Camera::Kind::orbit) {
+  if (roomy) draw_tools(ui, plane_tools, low, high);
+  if (roomy && options.camera->kind == Camera::Kind::orbit) {
     draw_tools(ui, space_tools, {low.x, ImGui::GetItemRectMax().y + ui.px(3)}, high);
     draw_triad(ui, *options.camera, low, high);
   }

@@ -17,13 +17,27 @@ struct NamedKey {
   ImGuiKey key;
 };
 constexpr std::array<NamedKey, 22> named_keys = {{
-    {"Tab", ImGuiKey_Tab},           {"Left", ImGuiKey_LeftArrow}, {"Right", ImGuiKey_RightArrow},
-    {"Up", ImGuiKey_UpArrow},        {"Down", ImGuiKey_DownArrow}, {"PageUp", ImGuiKey_PageUp},
-    {"PageDown", ImGuiKey_PageDown}, {"Home", ImGuiKey_Home},      {"End", ImGuiKey_End},
-    {"Insert", ImGuiKey_Insert},     {"Delete", ImGuiKey_Delete},  {"Backspace", ImGuiKey_Backspace},
-    {"Space", ImGuiKey_Space},       {"Enter", ImGuiKey_Enter},    {"Escape", ImGuiKey_Escape},
-    {"KeypadEnter", ImGuiKey_KeyPadEnter}, {"A", ImGuiKey_A},      {"C", ImGuiKey_C},
-    {"V", ImGuiKey_V},               {"X", ImGuiKey_X},            {"Y", ImGuiKey_Y},
+    {"Tab", ImGuiKey_Tab},
+    {"Left", ImGuiKey_LeftArrow},
+    {"Right", ImGuiKey_RightArrow},
+    {"Up", ImGuiKey_UpArrow},
+    {"Down", ImGuiKey_DownArrow},
+    {"PageUp", ImGuiKey_PageUp},
+    {"PageDown", ImGuiKey_PageDown},
+    {"Home", ImGuiKey_Home},
+    {"End", ImGuiKey_End},
+    {"Insert", ImGuiKey_Insert},
+    {"Delete", ImGuiKey_Delete},
+    {"Backspace", ImGuiKey_Backspace},
+    {"Space", ImGuiKey_Space},
+    {"Enter", ImGuiKey_Enter},
+    {"Escape", ImGuiKey_Escape},
+    {"KeypadEnter", ImGuiKey_KeyPadEnter},
+    {"A", ImGuiKey_A},
+    {"C", ImGuiKey_C},
+    {"V", ImGuiKey_V},
+    {"X", ImGuiKey_X},
+    {"Y", ImGuiKey_Y},
     {"Z", ImGuiKey_Z},
 }};
 
@@ -118,9 +132,7 @@ bool Ui::take(const Event& event) {
       io.AddInputCharactersUTF8(event.text.c_str());
       return false;
     case Event::Kind::drop:
-      send([path = event.text](Player& player) {
-        player.unless_unsaved([path](Player& p) { p.open(path); });
-      });
+      send([path = event.text](Player& player) { player.unless_unsaved([path](Player& p) { p.open(path); }); });
       return false;
     case Event::Kind::close:
       send([](Player& player) { player.unless_unsaved([](Player& p) { p.quit(); }); });
@@ -150,9 +162,10 @@ bool Ui::shortcut(const std::string& key) {
     });
     return true;
   }
-  if (io.WantTextInput && (plain || key.starts_with("Shift+") || key == "Ctrl+Z" || key == "Ctrl+Y" || key == "Ctrl+A" ||
-                           key == "Ctrl+C" || key == "Ctrl+V" || key == "Ctrl+X" || key == "Ctrl+Left" ||
-                           key == "Ctrl+Right" || key == "Ctrl+Backspace" || key == "Ctrl+Delete"))
+  if (io.WantTextInput &&
+      (plain || key.starts_with("Shift+") || key == "Ctrl+Z" || key == "Ctrl+Y" || key == "Ctrl+A" || key == "Ctrl+C" ||
+       key == "Ctrl+V" || key == "Ctrl+X" || key == "Ctrl+Left" || key == "Ctrl+Right" || key == "Ctrl+Backspace" ||
+       key == "Ctrl+Delete"))
     return false;
   if (dialog && (plain || key.starts_with("Shift+"))) return false;
   if (key == "F6" || key == "Shift+F6") {
@@ -169,8 +182,8 @@ bool Ui::shortcut(const std::string& key) {
                      key == "Enter" || key == "Tab" || key == "Home" || key == "End" || key == "PageUp" ||
                      key == "PageDown";
   if (walks && (walking || player_->session() == nullptr)) return false;
-  if (key.starts_with("Alt+") && (key.ends_with("Left") || key.ends_with("Right") || key.ends_with("Up") ||
-                                  key.ends_with("Down"))) {
+  if (key.starts_with("Alt+") &&
+      (key.ends_with("Left") || key.ends_with("Right") || key.ends_with("Up") || key.ends_with("Down"))) {
     const std::string way = key.substr(4);
     move_in_sheet(way == "Left" ? -1 : (way == "Right" ? 1 : 0), way == "Up" ? -1 : (way == "Down" ? 1 : 0));
     return true;
@@ -212,8 +225,7 @@ void Ui::move_in_sheet(int dx, int dy) {
   if (!sheet_spots_.contains(panel)) panel = sheet_spots_.contains("tableau") ? "tableau" : "viewport";
   const auto& spots = sheet_spots_[panel];
   if (spots.empty()) return;
-  const auto here =
-      std::find_if(spots.begin(), spots.end(), [&](const Spot& s) { return s.link == player_->focused; });
+  const auto here = std::find_if(spots.begin(), spots.end(), [&](const Spot& s) { return s.link == player_->focused; });
   const Spot* best = &spots.front();
   if (here != spots.end()) {
     best = nullptr;

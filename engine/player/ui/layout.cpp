@@ -5,12 +5,14 @@
 namespace blossom {
 namespace {
 
-constexpr double gap = 6;            // between panels
-constexpr double least_side = 300;   // width
-constexpr double least_tabs = 170;   // height
-constexpr double least_main = 200;   // height, and width
-constexpr double roomy_main = 150;   // what the strip below leaves of it
-constexpr double roomy_height = 460; // of the side: enough for several panels above the tabs
+constexpr double gap = 6;             // between panels
+constexpr double least_side = 300;    // width
+constexpr double least_tabs = 170;    // height
+constexpr double least_main = 200;    // width
+constexpr double lowest_main = 110;   // height
+constexpr double least_foot = 56;     // height
+constexpr double roomy_main = 150;    // what the strip below leaves of it
+constexpr double roomy_height = 460;  // of the side: enough for several panels above the tabs
 
 }  // namespace
 
@@ -39,7 +41,8 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
   const auto foot = of_slot(Slot::foot);
   for (auto panel = foot.rbegin(); panel != foot.rend(); ++panel) {
     // The words below the picture may take a third of what there is.
-    const double height = std::min(wanted(**panel, wish.width), std::max((bottom - top) / 3, 56.0));
+    const double height =
+        std::min({wanted(**panel, wish.width), std::max((bottom - top) / 3, least_foot), std::max(bottom - top, 0.0)});
     bottom -= height;
     layout.placed.push_back({*panel, {0, bottom, wish.width, height}});
   }
@@ -49,13 +52,14 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
   // The side, unless the window is too narrow for two columns.
   const double room = wish.width - 3 * gap;
   const double side_width = std::clamp(wish.side_share * room, least_side, std::max(least_side, room - least_main));
-  const bool has_side = room - side_width >= least_main;
+  const double side_height = std::max(bottom - top, 0.0);
+  const bool has_side = room - side_width >= least_main && side_height >= lowest_main;
   const double main_width = has_side ? room - side_width : room + gap;
   double main_bottom = bottom;
 
   auto stacked = of_slot(Slot::side);
   layout.tabbed = of_slot(Slot::tabs);
-  const double side_height = bottom - top;
+  const auto main = of_slot(Slot::main);
   if (!has_side || side_height < roomy_height) {  // all of them are tabs
     layout.tabbed.insert(layout.tabbed.begin(), stacked.begin(), stacked.end());
     stacked.clear();
@@ -65,9 +69,9 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
     layout.side = {x, top, side_width, side_height};
     layout.side_x = x - gap;
     double y = top;
-    const double lower =
-        stacked.empty() ? side_height
-                        : std::clamp(wish.lower_share * side_height, least_tabs, std::max(least_tabs, side_height - 120));
+    const double lower = stacked.empty() ? side_height
+                                         : std::clamp(wish.lower_share * side_height, least_tabs,
+                                                      std::max(least_tabs, side_height - 120));
     double left = side_height - lower;
     for (std::size_t i = 0; i < stacked.size(); ++i) {
       const double wish_height = wanted(*stacked[i], side_width);
@@ -79,6 +83,11 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
     }
     layout.lower_y = y;
     layout.tabs = {x, y, side_width, bottom - y};
+  } else if (side_height < lowest_main + gap + least_tabs) {
+    // Not even room for the picture above the tabs: it is one of them.
+    layout.tabbed.insert(layout.tabbed.begin(), main.begin(), main.end());
+    layout.tabs = {gap, top, std::max(wish.width - 2 * gap, 0.0), side_height};
+    return layout;
   } else {
     // One column: the picture above, the tabs below it.
     const double tabs_height = std::max(least_tabs, side_height * 0.45);
@@ -101,7 +110,7 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
     main_bottom -= height;
     layout.placed.push_back({panel, {gap, main_bottom, main_width, height}});
   }
-  for (const Panel* panel : of_slot(Slot::main))
+  for (const Panel* panel : main)
     layout.placed.push_back({panel, {gap, top, main_width, main_bottom - top - (kept.empty() ? 0 : gap)}});
   return layout;
 }

@@ -26,11 +26,11 @@ struct Panel {
   std::string_view id;     // also what scripts call it
   std::string_view title;  // on its tab and in headings
   Slot slot;
-  int order;                                   // in its slot
-  void (*draw)(Ui&);                           // inside its window
-  bool (*relevant)(const Player&) = nullptr;   // nullptr: always (while something is open)
+  int order;                                            // in its slot
+  void (*draw)(Ui&);                                    // inside its window
+  bool (*relevant)(const Player&) = nullptr;            // nullptr: always (while something is open)
   double (*height)(const Ui&, double width) = nullptr;  // in a slot with several: how much it wants, in units
-  double least = 0;    // in units: below this much it is left out (strip) or becomes a tab (side)
+  double least = 0;      // in units: below this much it is left out (strip) or becomes a tab (side)
   bool widgets = false;  // made of Dear ImGui's widgets, which take arrow keys while the keyboard is in it
 };
 

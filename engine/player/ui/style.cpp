@@ -15,15 +15,16 @@ ImVec4 to_imgui(Color c, double opacity = 1) {
 
 Color mix(Color a, Color b, double t) {
   const auto channel = [&](std::uint8_t x, std::uint8_t y) {
-    return static_cast<std::uint8_t>(static_cast<double>(x) + t * (static_cast<double>(y) - static_cast<double>(x)) + 0.5);
+    return static_cast<std::uint8_t>(static_cast<double>(x) + t * (static_cast<double>(y) - static_cast<double>(x)) +
+                                     0.5);
   };
   return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), 255};
 }
 
 // Letters of the languages of Europe, Greek, arrows, mathematics, geometric shapes.
-constexpr ImWchar ranges[] = {0x20,   0x17F,  0x370,  0x3FF,  0x2010, 0x2027, 0x2030, 0x205E, 0x2070, 0x209F,
-                              0x2190, 0x21FF, 0x2200, 0x22FF, 0x2318, 0x2318, 0x25A0, 0x25FF, 0x2605, 0x2606,
-                              0x2610, 0x2612, 0x2713, 0x2717, 0};
+constexpr ImWchar ranges[] = {0x20,   0x17F,  0x370,  0x3FF,  0x2010, 0x2027, 0x2030, 0x205E, 0x2070,
+                              0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0x2318, 0x2318, 0x25A0, 0x25FF,
+                              0x2605, 0x2606, 0x2610, 0x2612, 0x2713, 0x2717, 0};
 // Every glyph is made before the first frame, and that took a sixth of the time to it. What is bold, small or of equal
 // widths is set by us, but for titles: letters, and of the symbols the usual ones.
 constexpr ImWchar fewer_ranges[] = {0x20,   0x17F,  0x391,  0x3C9,  0x2010, 0x2027, 0x2030, 0x203A, 0x2070, 0x209C,
@@ -46,8 +47,8 @@ void Ui::make_fonts() {
   io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   io.Fonts->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
   const auto add = [&](FontStyle style, double size, const ImWchar* glyphs) {
-    return io.Fonts->AddFontFromFileTTF(Fonts::file(style).c_str(), static_cast<float>(std::round(size * scale_)), nullptr,
-                                        glyphs);
+    return io.Fonts->AddFontFromFileTTF(Fonts::file(style).c_str(), static_cast<float>(std::round(size * scale_)),
+                                        nullptr, glyphs);
   };
   regular_ = add({}, text_size, ranges);
   bold_ = add({.bold = true}, text_size, fewer_ranges);
@@ -88,7 +89,8 @@ void Ui::make_style() {
   style.WindowBorderSize = style.PopupBorderSize = std::max(1.0f, std::round(px(1)));
 
   const auto set = [&](ImGuiCol which, Color c, double opacity = 1) { style.Colors[which] = to_imgui(c, opacity); };
-  const Color soft = mix(background, text, 0.08), softer = mix(background, text, 0.16), strong = mix(background, text, 0.26);
+  const Color soft = mix(background, text, 0.08), softer = mix(background, text, 0.16),
+              strong = mix(background, text, 0.26);
   set(ImGuiCol_Text, text);
   set(ImGuiCol_TextDisabled, role(Role::text_quiet).ink);
   set(ImGuiCol_WindowBg, background);

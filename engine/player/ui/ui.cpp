@@ -120,7 +120,10 @@ void Ui::paint() {
     vertices.clear();
     for (const ImDrawVert& v : list.VtxBuffer) {
       const auto channel = [&](int shift) { return static_cast<std::uint8_t>(v.col >> shift); };
-      vertices.push_back({v.pos.x, v.pos.y, v.uv.x, v.uv.y,
+      vertices.push_back({v.pos.x,
+                          v.pos.y,
+                          v.uv.x,
+                          v.uv.y,
                           {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT), channel(IM_COL32_B_SHIFT),
                            channel(IM_COL32_A_SHIFT)}});
     }
@@ -164,7 +167,8 @@ Checked<bool> Ui::save_picture(const Scene& scene, const std::filesystem::path& 
 
 void Ui::draw_panels() {
   const auto relevant = [&](const Panel& panel) {
-    if (panel.slot != Slot::bar && panel.slot != Slot::page && panel.slot != Slot::float_ && player_->session() == nullptr)
+    if (panel.slot != Slot::bar && panel.slot != Slot::page && panel.slot != Slot::float_ &&
+        player_->session() == nullptr)
       return false;
     return panel.relevant == nullptr || panel.relevant(*player_);
   };
@@ -216,7 +220,8 @@ void Ui::draw_window(const Panel& panel, const PixelRect& rect) {
     thing("panel " + id, low, {low.x + size.x, low.y + size.y});
     panel.draw(*this);
     if (player_->focus == id && ImGui::GetIO().NavVisible)
-      ImGui::GetForegroundDrawList()->AddRect(low, {low.x + size.x, low.y + size.y}, color(Role::focus), px(6), 0, px(2));
+      ImGui::GetForegroundDrawList()->AddRect(low, {low.x + size.x, low.y + size.y}, color(Role::focus), px(6), 0,
+                                              px(2));
   }
   ImGui::End();
   if (bare) ImGui::PopStyleVar();
@@ -240,7 +245,8 @@ void Ui::draw_tabs(const Layout& layout) {
     focus_request_.clear();
   }
   if (ImGui::Begin("tabs", nullptr, flags)) {
-    if (ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) && ImGui::IsMouseClicked(0) && player_->focus != active->id)
+    if (ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) && ImGui::IsMouseClicked(0) &&
+        player_->focus != active->id)
       send([id = std::string(active->id)](Player& player) { player.focus = id; });
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     thing("panel " + std::string(active->id), low, {low.x + size.x, low.y + size.y});
@@ -263,13 +269,15 @@ void Ui::draw_tabs(const Layout& layout) {
       if (is_active) {
         ImGui::PopStyleColor();
         const float bottom = at.y + ImGui::GetFrameHeight();
-        ImGui::GetWindowDrawList()->AddRectFilled({at.x, bottom - px(2.5)}, {at.x + width, bottom}, color(Role::current));
+        ImGui::GetWindowDrawList()->AddRectFilled({at.x, bottom - px(2.5)}, {at.x + width, bottom},
+                                                  color(Role::current));
       }
     }
     ImGui::PopStyleVar();
     active->draw(*this);
     if (player_->focus == active->id && ImGui::GetIO().NavVisible)
-      ImGui::GetForegroundDrawList()->AddRect(low, {low.x + size.x, low.y + size.y}, color(Role::focus), px(6), 0, px(2));
+      ImGui::GetForegroundDrawList()->AddRect(low, {low.x + size.x, low.y + size.y}, color(Role::focus), px(6), 0,
+                                              px(2));
   }
   ImGui::End();
 }

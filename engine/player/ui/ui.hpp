@@ -37,7 +37,7 @@ class Ui {
   // ---- for windows ------------------------------------------------------------------------------------------------
   void feed(Event);
   void resize(int width, int height, double pixels_per_unit);  // in pixels
-  bool wants_frame() const;     // there is something to draw, or events that wait
+  bool wants_frame() const;                                    // there is something to draw, or events that wait
   // One frame of the window; to the canvas unless nobody is to see it.
   void frame(double seconds, bool drawn = true);
   void redraw() { frames_wanted_ = std::max(frames_wanted_, 2); }
@@ -139,7 +139,7 @@ class Ui {
   std::vector<Placement> pictures_;
   std::map<std::string, std::vector<Spot>> sheet_spots_;  // of the last frame, in pixels, for the keyboard
   std::vector<Spot> kept_spots_;
-  Link hovered_;                                          // of this frame
+  Link hovered_;  // of this frame
   std::string hovered_panel_;
   Link menu_link_;
   bool menu_requested_ = false;

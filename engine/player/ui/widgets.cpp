@@ -123,8 +123,8 @@ bool Ui::icon_button(std::string_view id, std::string_view icon, bool pressed_in
   if (pressed_in) ImGui::PopStyleColor();
   thing(std::string(id));
   const ImVec2 low = ImGui::GetItemRectMin();
-  draw_icon(*ImGui::GetWindowDrawList(), icon, {std::round(low.x + side / 2), std::round(low.y + side / 2)}, side * 0.27f,
-            enabled ? ink(Role::text) : color(Role::earlier));
+  draw_icon(*ImGui::GetWindowDrawList(), icon, {std::round(low.x + side / 2), std::round(low.y + side / 2)},
+            side * 0.27f, enabled ? ink(Role::text) : color(Role::earlier));
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", tooltip_of(*action).c_str());
   if (pressed) act(id);
   return pressed;
@@ -150,9 +150,7 @@ struct Word {
   bool line_before = false;
 };
 
-bool is_name_letter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
-}
+bool is_name_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.'; }
 
 // The length of what looks like a value's name at the front of the text: letters, dots and bracketed indices.
 std::size_t name_length(std::string_view text) {
@@ -259,8 +257,8 @@ Sheet Ui::flow(const std::string& text, double width, double size, Role role, do
                                          Role::highlight,
                                          piece.lit ? 0.22 : 0.1});
         if (values)
-          sheet.spots.push_back({{Link::Kind::value, *value}, x - 2, top, piece.width + 4, bottom - top,
-                                 source.graph->name(*value)});
+          sheet.spots.push_back(
+              {{Link::Kind::value, *value}, x - 2, top, piece.width + 4, bottom - top, source.graph->name(*value)});
       }
       Label label;
       label.anchor = {x, baseline, 0};
@@ -292,9 +290,7 @@ void Ui::draw_menu() {
     const ValueId v = menu_link_.id;
     ImGui::TextDisabled("%s", source.graph->name(v).c_str());
     item("Why?", [v](Player& player) { player.ask_why(v); });
-    item("Go to its step", [v](Player& player) {
-      player.seek(player.session()->recording().graph().value(v).step);
-    });
+    item("Go to its step", [v](Player& player) { player.seek(player.session()->recording().graph().value(v).step); });
     item("Copy value", [text = source.value_text(v)](Player& player) {
       player.desk().set_clipboard(text);
       player.notice("Copied: " + text);

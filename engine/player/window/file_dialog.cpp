@@ -83,7 +83,8 @@ FileDialog::~FileDialog() {
 std::optional<fs::path> FileDialog::poll() {
   std::array<char, 4096> part{};
   ssize_t count = 0;
-  while ((count = read(output_, part.data(), part.size())) > 0) answer_.append(part.data(), static_cast<std::size_t>(count));
+  while ((count = read(output_, part.data(), part.size())) > 0)
+    answer_.append(part.data(), static_cast<std::size_t>(count));
   if (count < 0) return std::nullopt;  // nothing yet
   waitpid(process_, nullptr, 0);
   process_ = -1;

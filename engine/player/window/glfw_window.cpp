@@ -19,17 +19,39 @@ struct KeyName {
   const char* name;
 };
 constexpr std::array<KeyName, 33> key_names = {{
-    {GLFW_KEY_TAB, "Tab"},           {GLFW_KEY_LEFT, "Left"},         {GLFW_KEY_RIGHT, "Right"},
-    {GLFW_KEY_UP, "Up"},             {GLFW_KEY_DOWN, "Down"},         {GLFW_KEY_PAGE_UP, "PageUp"},
-    {GLFW_KEY_PAGE_DOWN, "PageDown"}, {GLFW_KEY_HOME, "Home"},        {GLFW_KEY_END, "End"},
-    {GLFW_KEY_INSERT, "Insert"},     {GLFW_KEY_DELETE, "Delete"},     {GLFW_KEY_BACKSPACE, "Backspace"},
-    {GLFW_KEY_SPACE, "Space"},       {GLFW_KEY_ENTER, "Enter"},       {GLFW_KEY_ESCAPE, "Escape"},
-    {GLFW_KEY_KP_ENTER, "KeypadEnter"}, {GLFW_KEY_KP_ADD, "+"},       {GLFW_KEY_KP_SUBTRACT, "-"},
-    {GLFW_KEY_F1, "F1"},             {GLFW_KEY_F2, "F2"},             {GLFW_KEY_F3, "F3"},
-    {GLFW_KEY_F4, "F4"},             {GLFW_KEY_F5, "F5"},             {GLFW_KEY_F6, "F6"},
-    {GLFW_KEY_F7, "F7"},             {GLFW_KEY_F8, "F8"},             {GLFW_KEY_F9, "F9"},
-    {GLFW_KEY_F10, "F10"},           {GLFW_KEY_F11, "F11"},           {GLFW_KEY_F12, "F12"},
-    {GLFW_KEY_KP_0, "0"},            {GLFW_KEY_KP_DECIMAL, "."},      {GLFW_KEY_KP_DIVIDE, "/"},
+    {GLFW_KEY_TAB, "Tab"},
+    {GLFW_KEY_LEFT, "Left"},
+    {GLFW_KEY_RIGHT, "Right"},
+    {GLFW_KEY_UP, "Up"},
+    {GLFW_KEY_DOWN, "Down"},
+    {GLFW_KEY_PAGE_UP, "PageUp"},
+    {GLFW_KEY_PAGE_DOWN, "PageDown"},
+    {GLFW_KEY_HOME, "Home"},
+    {GLFW_KEY_END, "End"},
+    {GLFW_KEY_INSERT, "Insert"},
+    {GLFW_KEY_DELETE, "Delete"},
+    {GLFW_KEY_BACKSPACE, "Backspace"},
+    {GLFW_KEY_SPACE, "Space"},
+    {GLFW_KEY_ENTER, "Enter"},
+    {GLFW_KEY_ESCAPE, "Escape"},
+    {GLFW_KEY_KP_ENTER, "KeypadEnter"},
+    {GLFW_KEY_KP_ADD, "+"},
+    {GLFW_KEY_KP_SUBTRACT, "-"},
+    {GLFW_KEY_F1, "F1"},
+    {GLFW_KEY_F2, "F2"},
+    {GLFW_KEY_F3, "F3"},
+    {GLFW_KEY_F4, "F4"},
+    {GLFW_KEY_F5, "F5"},
+    {GLFW_KEY_F6, "F6"},
+    {GLFW_KEY_F7, "F7"},
+    {GLFW_KEY_F8, "F8"},
+    {GLFW_KEY_F9, "F9"},
+    {GLFW_KEY_F10, "F10"},
+    {GLFW_KEY_F11, "F11"},
+    {GLFW_KEY_F12, "F12"},
+    {GLFW_KEY_KP_0, "0"},
+    {GLFW_KEY_KP_DECIMAL, "."},
+    {GLFW_KEY_KP_DIVIDE, "/"},
 }};
 
 // What is written on the key, in the person's own layout.
@@ -270,7 +292,8 @@ Diagnostics play_in_window(const PlayerOptions& options, const Start& start, Fra
     glfwSwapBuffers(window);
     if (times != nullptr) times->presented(advancing, (*ui)->frame_parts(), clock.lap());
     events.show_cursor();
-    const std::string wanted = player.session() != nullptr ? player.session()->document().title() + " - Blossom" : "Blossom";
+    const std::string wanted =
+        player.session() != nullptr ? player.session()->document().title() + " - Blossom" : "Blossom";
     if (wanted != title) glfwSetWindowTitle(window, (title = wanted).c_str());
     if (glfwGetWindowAttrib(window, GLFW_MAXIMIZED) == GLFW_FALSE)
       glfwGetWindowSize(window, &player.settings.width, &player.settings.height);

@@ -19,7 +19,9 @@ class ScriptDesk final : public Desk {
   void set_clipboard(const std::string& text) override { clipboard_ = text; }
   std::string clipboard() override { return clipboard_; }
   bool choose_file(bool, const fs::path&, std::function<void(fs::path)>) override { return false; }
-  Checked<bool> save_picture(const Scene& scene, const fs::path& file) override { return ui->save_picture(scene, file); }
+  Checked<bool> save_picture(const Scene& scene, const fs::path& file) override {
+    return ui->save_picture(scene, file);
+  }
   Ui* ui = nullptr;
 
  private:
@@ -220,8 +222,8 @@ class Driver {
     std::string text = "{";
     for (const auto& [thing, rect] : ui_.things())
       text += (text.size() > 1 ? "," : "") + std::string("\n  ") + json_quote(thing) + ": [" + format_short(rect.x, 1) +
-              ", " + format_short(rect.y, 1) + ", " + format_short(rect.width, 1) + ", " + format_short(rect.height, 1) +
-              "]";
+              ", " + format_short(rect.y, 1) + ", " + format_short(rect.width, 1) + ", " +
+              format_short(rect.height, 1) + "]";
     write(name, ".json", text + "\n}\n");
   }
 
@@ -238,7 +240,8 @@ class Driver {
     if (!value)
       fail("expected " + key + " to be a number, not " + (is ? json_quote(*is) : "nothing"));
     else if (!(std::abs(value->to_double() - wanted) <= tolerance))
-      fail("expected " + key + " to be within " + format_number(tolerance) + " of " + format_number(wanted) + ", not " + *is);
+      fail("expected " + key + " to be within " + format_number(tolerance) + " of " + format_number(wanted) + ", not " +
+           *is);
   }
 
   void follow(const std::string& verb, const std::vector<std::string>& words) {
