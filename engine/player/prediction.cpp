@@ -84,7 +84,6 @@ bool Prediction::veiled(std::uint32_t step) const {
 }
 
 std::optional<std::string> Prediction::answer(std::size_t question, std::vector<std::string> numbers) {
-  if (mark(question)) return "this answer is marked already; Undo takes it back, and counts as a help";
   for (std::string& number : numbers) number = trimmed(number);
   const Part& part = exercise().parts[questions_[question].part];
   // Read within the whole file, for that is limited, too.
@@ -95,6 +94,7 @@ std::optional<std::string> Prediction::answer(std::size_t question, std::vector<
   const Typed typed = read_typed(part, *own);
   if (!typed.problem.empty()) return refusal(part, numbers, typed.problem);
   if (numbers.empty()) return refusal(part, numbers, {});  // a list of nothing
+  if (mark(question)) return "this answer is marked already; Undo takes it back, and counts as a help";
   make({question, attempts_[question], Attempt{std::move(numbers), was_shown_[question] != 0, {}},
         line_guesses_[question], line_guesses_[question]});
   return std::nullopt;

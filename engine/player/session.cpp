@@ -8,7 +8,9 @@ namespace {
 // While something is dragged, a run in fractions that takes longer than this is made in decimals; the fractions follow
 // when it is let go.
 constexpr double patient_seconds = 0.008;
-// A run in fractions that needs more work (about a quarter of a second) is shown in decimals: nobody waits for it.
+// A run that would take about a quarter of a second and more in fractions, because it is long or because they are, is
+// opened in decimals.
+constexpr std::uint32_t most_exact_steps = 20'000;
 constexpr std::uint64_t patient_work = 50'000'000;
 
 std::string phase_path_text(const TraceGraph& graph, std::uint32_t phase) {
@@ -29,6 +31,14 @@ Checked<std::unique_ptr<Session>> Session::open(Document document, bool exact) {
 }
 
 Diagnostics Session::record(const Inputs<Exact>& inputs, bool in_gesture) {
+  if (exact_ && !recording_) {
+    auto made = Recording::make(algorithm(), inputs, false);
+    if (made && (*made)->last() >= most_exact_steps) {
+      exact_failed_ = true;
+      take(std::move(*made));
+      return {};
+    }
+  }
   const bool hurry = in_gesture && exact_seconds_ > patient_seconds;
   if (exact_ && !exact_failed_ && !hurry) {
     const auto begin = std::chrono::steady_clock::now();

@@ -177,7 +177,7 @@ void measure(OpenGl& gl, const std::string& name, const Document& document, cons
       least(best[i].rasterising, frames[i].rasterising);
     }
   }
-  row(name, best);
+  if (!best.empty()) row(name, best);  // there may be nothing to point at
 }
 
 // ---- what a person does ---------------------------------------------------------------------------------------------

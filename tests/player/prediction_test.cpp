@@ -177,13 +177,16 @@ TEST_CASE("all shipped exercises answered rightly earn everything; shown or wron
     CHECK(prediction.grade()->score() == 1);
 
     // The first one wrong.
-    const std::size_t first_part = prediction.questions()[0].part;
-    auto wrong = right(prediction, 0);
+    auto careless = predict(grader);
+    const std::size_t first_part = careless.questions()[0].part;
+    auto wrong = right(careless, 0);
     wrong[0] = (*Exact::parse(wrong[0]) + Exact(17)).to_string();
-    CHECK(prediction.answer(0, wrong) == std::nullopt);
-    const Grade with_one_wrong = handed_in(prediction, *grader);
+    CHECK(careless.answer(0, wrong) == std::nullopt);
+    for (std::size_t q = 1; q < careless.questions().size(); ++q)
+      CHECK(careless.answer(q, right(careless, q)) == std::nullopt);
+    const Grade with_one_wrong = handed_in(careless, *grader);
     CHECK(with_one_wrong.parts[first_part].verdict != Verdict::correct);
-    CHECK(with_one_wrong.points == prediction.grade()->points);
+    CHECK(with_one_wrong.points == careless.grade()->points);
     CHECK(with_one_wrong.points < grader->exercise().max_points);
 
     // Every other one shown.
@@ -267,10 +270,10 @@ TEST_CASE("at once, each answer is marked as the grader marks it, carried and mi
   CHECK(verdict_of(prediction, "P[1][2]") == "misconception");
   CHECK(prediction.mark(2)->misconception == "swapped-weights");
 
-  // A better answer to the earlier one leaves the later one nothing to be carried from.
-  CHECK_FALSE(answer(prediction, "P[1][1]", {"11/5", "17/5"}));
-  CHECK(verdict_of(prediction, "P[2][0]") == "wrong");
-  CHECK(prediction.undo());
+  // A marked answer stands: what was told with the mark is no help to a better one, unless it is taken back, counted.
+  const auto refused = answer(prediction, "P[1][1]", {"11/5", "17/5"});
+  REQUIRE(refused);
+  CHECK(refused->find("marked already") != std::string::npos);
   CHECK(verdict_of(prediction, "P[2][0]") == "carried");
   REQUIRE(prediction.grade());
   CHECK(prediction.grade()->points == Exact(2));
@@ -282,6 +285,7 @@ TEST_CASE("at the end, nothing is told before the last answer or the student's o
   CHECK_FALSE(prediction.answer(0, {"2/5", "6/5"}));
   CHECK_FALSE(prediction.answer(1, {"0", "0"}));
   CHECK(prediction.mark(0) == std::nullopt);
+  CHECK(prediction.veiled(prediction.questions()[0].step));  // its step would tell
   CHECK_FALSE(prediction.attempt(0)->mark);
   CHECK_FALSE(prediction.grade());
 
@@ -320,7 +324,7 @@ TEST_CASE("an exercise's feedback bounds what is told") {
 }
 
 TEST_CASE("undo takes answers back one by one, redo puts them back, a new answer ends what could be redone") {
-  auto prediction = predict(de_casteljau_grader());
+  auto prediction = predict(de_casteljau_grader(), Marking::at_end);
   CHECK_FALSE(prediction.undo());
   CHECK_FALSE(prediction.redo());
   CHECK_FALSE(prediction.answer(0, {"1", "1"}));
@@ -343,7 +347,7 @@ TEST_CASE("undo takes answers back one by one, redo puts them back, a new answer
 
   CHECK(prediction.redo());
   CHECK(prediction.attempt(0)->numbers == Texts{"1", "1"});
-  CHECK(prediction.mark(0));
+  CHECK_FALSE(prediction.mark(0));
   CHECK_FALSE(prediction.answer(1, {"5", "5"}));
   CHECK_FALSE(prediction.redo());
   CHECK(prediction.undos() == 3);
@@ -439,14 +443,17 @@ TEST_CASE("in practice a click near a point counts, a number must be near to 1/1
   // P[1][2] = 1/5 (0, 1) + 4/5 (2, 20), alpha[1][3] = 8/15
   CHECK_FALSE(answer(prediction, "P[1][2]", {"2.2", "15.6"}));
   CHECK(verdict_of(prediction, "P[1][2]") == "correct");
+  CHECK(prediction.undo());
   CHECK_FALSE(answer(prediction, "P[1][2]", {"2.3", "16.2"}));
   CHECK(verdict_of(prediction, "P[1][2]") != "correct");
   CHECK_FALSE(answer(prediction, "alpha[1][3]", {"0.54"}));
   CHECK(verdict_of(prediction, "alpha[1][3]") == "correct");
+  CHECK(prediction.undo());
   CHECK_FALSE(answer(prediction, "alpha[1][3]", {"0.55"}));
   CHECK(verdict_of(prediction, "alpha[1][3]") != "correct");
   CHECK_FALSE(answer(prediction, "k", {"4.001"}));
   CHECK(verdict_of(prediction, "k") != "correct");
+  CHECK(prediction.undo());
   CHECK_FALSE(answer(prediction, "k", {"4"}));
   CHECK(verdict_of(prediction, "k") == "correct");
 }

@@ -6,6 +6,7 @@
 
 #include "player/panels/mouse.hpp"
 #include "player/ui/panel.hpp"
+#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {
@@ -15,12 +16,12 @@ constexpr double wheel_factor = 1.15;  // a notch
 
 // ---- what one predicts ----------------------------------------------------------------------------------------------
 
-void add_guess(View& view, const glm::dvec3& at, Role role, const std::string& words) {
+void add_guess(View& view, const glm::dvec3& at, Role role, RichText words) {
   view.markers.push_back({at, role, Marker::Shape::ring, 1.3});
   view.markers.push_back({at, role, Marker::Shape::cross, 1});
   Label label;
   label.anchor = at;
-  label.text = {{words, TextRun::Level::base, false, true}};
+  label.text = std::move(words);
   label.role = role;
   label.placement = Label::Placement::around;
   label.priority = 60;
@@ -33,8 +34,11 @@ void add_guesses(View& view, const Player& player) {
   if (prediction == nullptr) return;
   if (player.asks_place()) {
     const auto question = player.asked();
-    if (const auto at = player.said_place(*question))
-      add_guess(view, *at, Role::highlight, prediction->questions()[*question].name + " ?");
+    if (const auto at = player.said_place(*question)) {
+      const Question& asks = prediction->questions()[*question];
+      const Algorithm& algorithm = session.recording().source().algorithm_at(asks.step);
+      add_guess(view, *at, Role::highlight, typeset_text(asks.name + " ?", algorithm));
+    }
   }
   if (prediction->veiled(session.step())) return;
   for (std::size_t q = 0; q < prediction->questions().size(); ++q) {
@@ -52,7 +56,7 @@ void add_guesses(View& view, const Player& player) {
       line.dashed = true;
       view.polylines.push_back(std::move(line));
     }
-    add_guess(view, *at, right ? Role::right : Role::mistake, right ? "✓" : "✗");
+    add_guess(view, *at, right ? Role::right : Role::mistake, {{right ? "✓" : "✗"}});
   }
 }
 
@@ -272,7 +276,9 @@ void draw(Ui& ui) {
   draw_held(ui, mouse, low, high);
   if (asks && player.held() == nullptr) {
     const std::string name = session.prediction()->questions()[*player.asked()].name;
-    draw_tag(ui, *ImGui::GetWindowDrawList(), low, "Where will " + name + " be? Click there.", Role::text, low, high);
+    const ImVec2 corner{origin.x + ui.px(2), origin.y + room.y - ui.px(2)};
+    draw_tag(ui, *ImGui::GetWindowDrawList(), corner, "Where will " + name + " be? Click there.", Role::text,
+             {corner.x, low.y}, {high.x, corner.y});
   }
 }
 

@@ -11,6 +11,7 @@ constexpr double least_tabs = 170;    // height
 constexpr double least_main = 200;    // width
 constexpr double lowest_main = 110;   // height
 constexpr double least_foot = 56;     // height
+constexpr double least_window = 330; // height
 constexpr double roomy_main = 150;    // what the strip below leaves of it
 constexpr double roomy_height = 460;  // of the side: enough for several panels above the tabs
 
@@ -38,7 +39,12 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
     for (const Panel* panel : of_slot(Slot::page)) layout.placed.push_back({panel, {0, top, wish.width, bottom - top}});
     return layout;
   }
-  const auto foot = of_slot(Slot::foot);
+  // Where there is hardly any height, the words are a tab, too; the way to move stays.
+  auto foot = of_slot(Slot::foot);
+  if (wish.height < least_window && foot.size() > 1) {
+    layout.tabbed.assign(foot.begin(), foot.end() - 1);
+    foot.erase(foot.begin(), foot.end() - 1);
+  }
   for (auto panel = foot.rbegin(); panel != foot.rend(); ++panel) {
     // The words below the picture may take a third of what there is.
     const double height =
@@ -58,7 +64,8 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
   double main_bottom = bottom;
 
   auto stacked = of_slot(Slot::side);
-  layout.tabbed = of_slot(Slot::tabs);
+  const auto tabs = of_slot(Slot::tabs);
+  layout.tabbed.insert(layout.tabbed.end(), tabs.begin(), tabs.end());
   const auto main = of_slot(Slot::main);
   if (!has_side || side_height < roomy_height) {  // all of them are tabs
     layout.tabbed.insert(layout.tabbed.begin(), stacked.begin(), stacked.end());

@@ -231,6 +231,51 @@ void Ui::draw_window(const Panel& panel, const PixelRect& rect) {
   }
 }
 
+// Our own tabs: Dear ImGui's remember which is active, and that is the player's to know. They wrap; where a second row
+// would take what little height there is, they are a list that folds.
+void Ui::draw_tab_bar(const Layout& layout, const Panel& active) {
+  const auto choose = [&](const Panel& panel) {
+    send([id = std::string(panel.id)](Player& player) { player.tab = player.focus = id; });
+  };
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  const auto width_of = [&](const Panel& panel) {
+    return ImGui::CalcTextSize(std::string(panel.title).c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+  };
+  float all = 0;
+  for (const Panel* panel : layout.tabbed) all += width_of(*panel) + px(4);
+  if (ImGui::GetCursorScreenPos().x + all > right + px(4) && layout.tabs.height < 200) {
+    ImGui::SetNextItemWidth(px(180));
+    if (ImGui::BeginCombo("##tabs", std::string(active.title).c_str(), ImGuiComboFlags_HeightLargest)) {
+      for (const Panel* panel : layout.tabbed) {
+        if (ImGui::Selectable(std::string(panel->title).c_str(), panel == &active)) choose(*panel);
+        thing("tab " + std::string(panel->id));
+      }
+      ImGui::EndCombo();
+    } else {
+      thing("tab list");
+    }
+    return;
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(4), px(4)});
+  for (const Panel* panel : layout.tabbed) {
+    const float width = width_of(*panel);
+    if (panel != layout.tabbed.front()) {
+      ImGui::SameLine();
+      if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
+    }
+    const bool is_active = panel == &active;
+    if (is_active) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_TabActive));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (button(std::string(panel->title).c_str(), "tab " + std::string(panel->id))) choose(*panel);
+    if (is_active) {
+      ImGui::PopStyleColor();
+      const float bottom = at.y + ImGui::GetFrameHeight();
+      ImGui::GetWindowDrawList()->AddRectFilled({at.x, bottom - px(2.5)}, {at.x + width, bottom}, color(Role::current));
+    }
+  }
+  ImGui::PopStyleVar();
+}
+
 void Ui::draw_tabs(const Layout& layout) {
   const PixelRect& rect = layout.tabs;
   ImGui::SetNextWindowPos({std::round(px(rect.x)), std::round(px(rect.y))});
@@ -250,30 +295,7 @@ void Ui::draw_tabs(const Layout& layout) {
       send([id = std::string(active->id)](Player& player) { player.focus = id; });
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     thing("panel " + std::string(active->id), low, {low.x + size.x, low.y + size.y});
-    // Our own tabs: Dear ImGui's remember which is active, and that is the player's to know. They wrap.
-    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(4), px(4)});
-    for (std::size_t i = 0; i < layout.tabbed.size(); ++i) {
-      const Panel* panel = layout.tabbed[i];
-      const std::string title(panel->title);
-      const float width = ImGui::CalcTextSize(title.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-      if (i > 0) {
-        ImGui::SameLine();
-        if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
-      }
-      const bool is_active = panel == active;
-      if (is_active) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_TabActive));
-      const ImVec2 at = ImGui::GetCursorScreenPos();
-      if (button(title.c_str(), "tab " + std::string(panel->id)))
-        send([id = std::string(panel->id)](Player& player) { player.tab = player.focus = id; });
-      if (is_active) {
-        ImGui::PopStyleColor();
-        const float bottom = at.y + ImGui::GetFrameHeight();
-        ImGui::GetWindowDrawList()->AddRectFilled({at.x, bottom - px(2.5)}, {at.x + width, bottom},
-                                                  color(Role::current));
-      }
-    }
-    ImGui::PopStyleVar();
+    draw_tab_bar(layout, *active);
     active->draw(*this);
     if (player_->focus == active->id && ImGui::GetIO().NavVisible)
       ImGui::GetForegroundDrawList()->AddRect(low, {low.x + size.x, low.y + size.y}, color(Role::focus), px(6), 0,

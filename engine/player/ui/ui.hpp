@@ -105,6 +105,7 @@ class Ui {
   void draw_panels();
   void draw_window(const Panel&, const PixelRect&);
   void draw_tabs(const Layout&);
+  void draw_tab_bar(const Layout&, const Panel& active);
   void draw_splitters(const Layout&);
   void draw_menu();
   void move_focus(int by);
