@@ -170,7 +170,8 @@ void ViewportBuilder::add_points() {
 void ViewportBuilder::add_name(const Drawable& d, std::size_t position, bool many_new) {
   const ValueId v = d.value;
   const bool now = made_now(v), loud = now && single_, read = read_now(v) && single_;
-  const bool lit = options_.emphasis.lights(v);
+  // A long phase that is lit is no reason to name all of its values.
+  const bool lit = options_.emphasis.lit.size() <= most_labels && options_.emphasis.lights(v);
   if (now && motion_ < 0.5) return;
   if (!lit) {
     if (!options_.labels || surface_done_ || (many_new && now)) return;

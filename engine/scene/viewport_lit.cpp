@@ -14,6 +14,8 @@ constexpr std::size_t most_shares = 64;  // rings of ancestors, those that weigh
 constexpr std::size_t most_share_texts = 12;
 constexpr double least_share = 5e-4;  // would be written as 0
 constexpr double spot_size = 22;
+// Of another phase or retired: a long phase or a line of the pseudo-code lights tens of thousands.
+constexpr std::size_t most_lit_elsewhere = 400, most_lit_names = 40;
 
 }  // namespace
 
@@ -55,10 +57,17 @@ void ViewportBuilder::add_shares() {
 
 // What is lit although it is not of this step: retired, or of another phase.
 void ViewportBuilder::add_lit_elsewhere() {
+  std::vector<ValueId> elsewhere;
   for (const ValueId v : options_.emphasis.lit) {
     if (v >= graph_.value_count() || graph_.value(v).step > step_ || !source_.points[v]) continue;
     if (std::ranges::binary_search(shown_, v, {}, [](const Drawable* d) { return d->value; })) continue;
+    elsewhere.push_back(v);
+  }
+  const std::size_t stride = elsewhere.size() / most_lit_elsewhere + 1;
+  for (std::size_t i = 0; i < elsewhere.size(); i += stride) {
+    const ValueId v = elsewhere[i];
     add_ring(*source_.points[v], 1);
+    if (elsewhere.size() > most_lit_names) continue;
     Label label;
     label.anchor = *source_.points[v];
     label.text = typeset_name(graph_.value(v).name, source_.algorithm_at(graph_.value(v).step));

@@ -18,7 +18,8 @@ double zoom_for(const StepSource& source, std::uint32_t step, double width, doub
   const TableauSize size = add_tableau(unseen, source, step, {}, 0, 0, nothing_visible);
   if (size.width <= 0) return 1;
   const double zoom = std::min({1.0, width / size.width, height / size.height});
-  return zoom >= smallest ? zoom : std::clamp(width / size.width, smallest, 1.0);
+  if (zoom >= smallest) return zoom;
+  return width / size.width >= smallest ? std::min(width / size.width, 1.0) : 1;
 }
 
 void draw(Ui& ui) {

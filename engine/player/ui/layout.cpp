@@ -46,9 +46,9 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
     foot.erase(foot.begin(), foot.end() - 1);
   }
   for (auto panel = foot.rbegin(); panel != foot.rend(); ++panel) {
-    // The words below the picture may take a third of what there is.
-    const double height =
-        std::min({wanted(**panel, wish.width), std::max((bottom - top) / 3, least_foot), std::max(bottom - top, 0.0)});
+    // The words below the picture may take a third of what there is; the way to move has what it needs.
+    const double most = panel == foot.rbegin() ? bottom - top : std::max((bottom - top) / 3, least_foot);
+    const double height = std::clamp(most, 0.0, wanted(**panel, wish.width));
     bottom -= height;
     layout.placed.push_back({*panel, {0, bottom, wish.width, height}});
   }
