@@ -86,7 +86,7 @@ const Algorithm& de_boor() {
          "the point i of level r (level 0: the control points)",
          6,
          "Level {r}: P[{r}][{i}] divides the segment from {#P[r-1][i-1]} to {#P[r-1][i]} at alpha = {alpha[r][i]}: "
-         "(1 - {alpha[r][i]}) {~P[r-1][i-1]} + {alpha[r][i]} {~P[r-1][i]} = {value}.",
+         "(1 - {alpha[r][i]}) {~P[r-1][i-1]} + {alpha[r][i]} {~P[r-1][i]} = {made}.",
          ValueSpec::Draw::level,
          true},
         {"C",

@@ -54,7 +54,7 @@ const Algorithm& de_casteljau() {
          "the point i of level r (level 0: the control points)",
          3,
          "Level {r}: divide the segment from {#P[r-1][i]} to {#P[r-1][i+1]} at u = {u}: "
-         "P[{r}][{i}] = (1 - {u}) {~P[r-1][i]} + {u} {~P[r-1][i+1]} = {value}.",
+         "P[{r}][{i}] = (1 - {u}) {~P[r-1][i]} + {u} {~P[r-1][i+1]} = {made}.",
          ValueSpec::Draw::level,
          true},
         {"C",

@@ -93,7 +93,7 @@ const Algorithm& knot_insertion() {
          {"r", "i"},
          "the point i after the r-th insertion",
          6,
-         "Insertion {r}: {name} divides its segment at alpha = {alpha[r][i]}: {numbers} = {value}.",
+         "Insertion {r}: {name} divides its segment at alpha = {alpha[r][i]}: {numbers} = {made}.",
          ValueSpec::Draw::level,
          true},
         {"Ubar", {}, "the new knot vector", 7, "The new knot vector: Ubar = {value}."},

@@ -181,6 +181,13 @@ std::string Narrator<S>::value_text(ValueId v) const {
 }
 
 template <Scalar S>
+std::string Narrator<S>::made_text(ValueId v) const {
+  const bool computed = !trace().is_input(v) && trace().value(v).kind == ValueKind::point && trace().rational &&
+                        trace().value(v).rule != &rule_info<Project>;
+  return computed ? operand_text(v) + ": " + value_text(v) : value_text(v);
+}
+
+template <Scalar S>
 std::string Narrator<S>::polar(ValueId v) const {
   if (labels_[v].empty()) return {};
   return to_string(labels_[v], [this](const S& x) { return number(x); });
@@ -259,7 +266,7 @@ std::string Narrator<S>::chain(ValueId v, bool with_names) const {
   std::erase(tight, ' ');
   const bool copy = !trace().is_input(v) && trace().value(v).rule->formula == "{0}";
   if (!copy && filled != value && tight != value && filled != text) text += (text.empty() ? "" : " = ") + filled;
-  if (value != text) text += (text.empty() ? "" : " = ") + value;
+  if (value != text) text += (text.empty() ? "" : " = ") + (text.empty() || copy ? value : made_text(v));
   return text;
 }
 
@@ -342,6 +349,7 @@ std::optional<std::string> Narrator<S>::placeholder(std::string_view inside, con
   if (inside == "index" && context.phase != absent) return std::to_string(trace().phases()[context.phase].index);
   if (v != absent) {
     if (inside == "value") return value_text(v);
+    if (inside == "made") return made_text(v);
     if (inside == "name") return trace().name(v).substr(trace().scope(v).size());
     if (inside == "formula") return formula(v);
     if (inside == "numbers") return numbers(v);

@@ -9,6 +9,7 @@
 //   {~P[r-1][i]}  its value as a formula takes it: a point of a rational curve as (wx, wy, w); all else as above
 //   {value} {name} {formula} {numbers}   of the step's main value: its value, its name, its formula with names, and the
 //                 formula with numbers filled in
+//   {made}        its value behind an equals sign: of a rational curve's point (wx, wy, w), then the point itself
 //   {@0} {@1} ... the values of its operands
 //   {chain} {result}   formula = numbers = value, and numbers = value, without saying anything twice
 //   {polar}       the polar label of the main value
@@ -38,6 +39,8 @@ class Narrator {
   std::string text(std::uint32_t step) const;  // the narration
   std::string value_text(ValueId) const;       // "(1/2, 3)", "(1, 2), w = 2", "2/5", "(0, 0, 1, 1)"
   std::string operand_text(ValueId) const;     // the same, but a point of a rational curve as (wx, wy, w)
+  // Where an equation ends: of a rational curve's point (wx, wy, w), which is what was computed, and then the point.
+  std::string made_text(ValueId) const;
   // Knots are written u_3 there, as in books.
   std::string formula(ValueId) const;  // with names:   (1 - u) P[0][0] + u P[0][1]
   std::string numbers(ValueId) const;  // with numbers: (1 - 2/5) (0, 0) + 2/5 (1, 2)

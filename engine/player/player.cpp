@@ -250,23 +250,33 @@ void Player::choose_question(std::size_t question) {
 void Player::set_draft(std::size_t number, std::string text) {
   const auto question = asked();
   if (!question) return;
-  if (draft_.question != *question) draft_ = {*question, {}, {}};
+  if (draft_.question != *question) draft_ = {*question, {}, {}, false};
   if (draft_.numbers.size() <= number) draft_.numbers.resize(number + 1);
   draft_.numbers[number] = std::move(text);
   draft_.problem.clear();
 }
 
+bool Player::hides(std::string_view value) const {
+  const Prediction* prediction = session_ ? session_->prediction() : nullptr;
+  if (prediction == nullptr) return false;
+  for (const Question& question : prediction->questions())
+    if (question.name == value) return prediction->veiled(question.step);
+  return false;
+}
+
 void Player::submit_draft() {
   const auto question = asked();
   if (!question) return;
-  if (draft_.question != *question) draft_ = {*question, {}, {}};
+  if (draft_.question != *question) draft_ = {*question, {}, {}, false};
   Prediction& prediction = *session_->prediction();
   if (auto problem = prediction.answer(*question, draft_.numbers)) {
     draft_.problem = std::move(*problem);
+    draft_.wants_keyboard = true;
     return;
   }
   chosen_question_.reset();
   draft_ = {};
+  draft_.wants_keyboard = true;
   to_keep_ = true;
   const std::uint32_t step = prediction.questions()[*question].step;
   if (!prediction.veiled(step) && session_->step() < step) seek(step);

@@ -124,18 +124,22 @@ class Player {
   struct Draft {
     std::size_t question = SIZE_MAX;
     std::vector<std::string> numbers;
-    std::string problem;  // why it was not taken
+    std::string problem;          // why it was not taken
+    bool wants_keyboard = false;  // one goes on typing
   };
   const Draft& draft() const { return draft_; }
   std::optional<std::size_t> asked() const;  // the question one is asked: chosen, or the first open one
   void choose_question(std::size_t);
   void set_draft(std::size_t number, std::string text);
+  void keyboard_given() { draft_.wants_keyboard = false; }
   // A click on the picture is an answer while a point is asked that one does not see yet.
   bool asks_place() const;
   void predict_click(const glm::dvec3& place);
   std::optional<glm::dvec3> predicted_place;  // the last one
   // What was said of a question in numbers, typed or clicked, if that is a place.
   std::optional<glm::dvec3> said_place(std::size_t question) const;
+  // Whether the value of this name is a question that nothing on the screen may answer yet.
+  bool hides(std::string_view value) const;
   void submit_draft();  // the answer is given; where it is marked at once one sees the step
 
   // ---- the window -------------------------------------------------------------------------------------------------

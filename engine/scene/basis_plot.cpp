@@ -163,14 +163,21 @@ void add_labels(Sheet& sheet, const std::vector<Function>& functions, const Plot
   }
 }
 
+// The fourth role is drawn wide, the fifth wider, elsewhere; here all lines are alike.
+double width_of(bool quiet, int i) {
+  const int look = i % parts::cycle_length;
+  return quiet || look < 3 ? 1 : (look == 3 ? 0.62 : 0.42);
+}
+
 // Told apart without colour as well: full, or with lines across or along, dashed like the curve.
 void pattern(View& view, const Box& box, int i) {
   const Role role = parts::cycle(i);
-  parts::fill(view, box, role, i % 3 == 0 ? 0.5 : 0.15);
-  if (i % 3 == 1)
+  const int look = i % parts::cycle_length;
+  parts::fill(view, box, role, look == 0 || look == 3 ? 0.5 : 0.15);
+  if (look == 1 || look == 4)
     for (double at = box.y + 4; at < box.bottom(); at += 5)
       parts::stroke(view, {{box.x, at, 0}, {box.right(), at, 0}}, role, 0.5);
-  if (i % 3 == 2)
+  if (look == 2 || look == 4)
     for (double at = box.x + 4.5; at < box.right(); at += 4.5)
       parts::stroke(view, {{at, box.y, 0}, {at, box.bottom(), 0}}, role, 0.5);
   parts::stroke(view, {{box.x, box.y, 0}, {box.right(), box.y, 0}}, Role::text, 0.7);
@@ -221,13 +228,13 @@ void add_bar(Sheet& sheet, const std::vector<Function>& functions, const Plot& p
 }  // namespace
 
 double add_basis(Sheet& sheet, const StepSource& source, std::uint32_t, const Emphasis& emphasis, double x, double y,
-                 double width, double height, std::size_t which) {
+                 double width, double height, std::size_t which, bool at_u) {
   const auto axis = knot_axis(source, which, x, width - basis_bar_room);
   if (!axis || axis->right <= axis->left || height < top_room + bottom_room + 20) return 0;
   const auto& curve = source.curves[which];
   View& view = sheet.view;
   const Plot plot{*axis, y + top_room, y + height - bottom_room};
-  const bool u = source.curves.size() == 1 && source.parameter.has_value();
+  const bool u = at_u && source.curves.size() == 1 && source.parameter.has_value();
 
   BasisFunctions basis(curve);
   auto functions = sampled(curve, plot, basis);
@@ -260,7 +267,8 @@ double add_basis(Sheet& sheet, const StepSource& source, std::uint32_t, const Em
       if (f.points.size() < 2 || (u && f.value) != loud) continue;
       const bool quiet = u && !loud;
       parts::stroke(view, std::move(f.points), quiet ? Role::earlier : parts::cycle(f.index),
-                    loud || functions.size() <= most_labels ? 1 : 0.6);
+                    (loud || functions.size() <= most_labels ? 1 : 0.6) * width_of(quiet, f.index),
+                    !quiet && f.index % parts::cycle_length == 4);
     }
   if (u) {
     parts::stroke(view, {{axis->place(at), plot.top, 0}, {axis->place(at), plot.bottom, 0}}, Role::current, 0.4);

@@ -48,7 +48,10 @@ double add_formula(Sheet& sheet, const StepSource& source, std::uint32_t step, d
 
   // One label, so that its lines cannot run into each other however they wrap.
   std::vector<std::string> lines{"= " + shortened(formula)};
+  const std::string made = source.made_text(v);
   if (numbers != formula && numbers != source.value_text(v)) lines.push_back("= " + shortened(numbers));
+  // Of a rational curve it is the homogeneous point that equals this; the point itself stands above.
+  if (made != source.value_text(v)) lines.push_back("= " + shortened(made.substr(0, made.find(": "))));
   if (const std::string polar = source.polar(v); !polar.empty()) lines.push_back("blossom value " + polar);
   std::string from;
   const double from_at = at;

@@ -46,10 +46,12 @@ double heading(View&, double x, double y, const std::string& words);
 // The other share of a division, in the manner of the first: 3/5 beside 2/5.
 std::string other_share(const std::string& share, double value);
 
-// The role of the i-th of several things of one kind.
+// The role of the i-th of several things of one kind. Five, for a cubic curve has four basis functions in each span.
+inline constexpr int cycle_length = 5;
 inline Role cycle(int i) {
-  static constexpr Role roles[] = {Role::level_a, Role::level_b, Role::level_c};
-  return roles[i % 3];
+  static constexpr Role roles[cycle_length] = {Role::level_a, Role::level_b, Role::level_c, Role::curve_result,
+                                               Role::ratio_near};
+  return roles[i % cycle_length];
 }
 
 }  // namespace blossom::parts

@@ -63,7 +63,7 @@ double add_knot_line(Sheet&, const StepSource&, std::uint32_t step, const Emphas
 // width - basis_bar_room. Spots: a basis function at its peak and at its part of the bar.
 inline constexpr double basis_bar_room = 64;
 double add_basis(Sheet&, const StepSource&, std::uint32_t step, const Emphasis&, double x, double y, double width,
-                 double height, std::size_t curve = 0);
+                 double height, std::size_t curve = 0, bool at_u = true);
 
 // The nested phases as an indented list, those around the step open, with the numbers of their steps. `open` are the
 // phases that are unfolded besides. Spots: the phases. Nothing for an algorithm in one piece.

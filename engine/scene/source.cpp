@@ -57,6 +57,7 @@ StepSource make_source(const Narrator<S>& narrator) {
   source.algorithm_at = [n](std::uint32_t step) -> const Algorithm& { return n->algorithm_at(step); };
   source.line = [n](std::uint32_t step) { return n->line(step); };
   source.value_text = [n](ValueId v) { return n->value_text(v); };
+  source.made_text = [n](ValueId v) { return n->made_text(v); };
   source.formula = [n](ValueId v) { return n->formula(v); };
   source.numbers = [n](ValueId v) { return n->numbers(v); };
   source.polar = [n](ValueId v) { return n->polar(v); };

@@ -45,15 +45,15 @@ struct Sheet {
 
 // What is lit besides the step itself.
 struct Emphasis {
-  std::vector<ValueId> lit;                         // ascending: what one points at, has pinned, or follows
-  std::vector<std::pair<ValueId, double>> shares;   // ascending: what the lit value came from, and with which weight
-  int line = 0;                                     // of the pseudo-code; 0: none
+  std::vector<ValueId> lit;                        // ascending: what one points at, has pinned, or follows
+  std::vector<std::pair<ValueId, double>> shares;  // ascending: what the lit value came from, and with which weight
+  int line = 0;                                    // of the pseudo-code; 0: none
 
   bool empty() const { return lit.empty() && shares.empty() && line == 0; }
   bool lights(ValueId v) const { return std::binary_search(lit.begin(), lit.end(), v); }
   double share(ValueId v) const {  // 0: none
-    const auto found =
-        std::lower_bound(shares.begin(), shares.end(), v, [](const auto& entry, ValueId id) { return entry.first < id; });
+    const auto found = std::lower_bound(shares.begin(), shares.end(), v,
+                                        [](const auto& entry, ValueId id) { return entry.first < id; });
     return found != shares.end() && found->first == v ? found->second : 0;
   }
   bool operator==(const Emphasis&) const = default;

@@ -20,7 +20,8 @@ Camera StepScenes::fitted(double width, double height, const std::optional<Camer
 }
 
 double StepScenes::grid_step(const Camera& camera, double width, double height) const {
-  return camera.kind == Camera::Kind::orbit ? ground_grid_step(samples_->bounds) : plane_grid_step(camera, width, height);
+  return camera.kind == Camera::Kind::orbit ? ground_grid_step(samples_->bounds)
+                                            : plane_grid_step(camera, width, height);
 }
 
 Scene StepScenes::page(std::uint32_t step, const std::string& narration, const PageOptions& options) const {

@@ -264,3 +264,17 @@ TEST_CASE("numbers are printed with as many digits as they need") {
   CHECK(parse_number<double>("1/3") == 1.0 / 3);
   CHECK_FALSE(parse_number<double>("x").has_value());
 }
+
+TEST_CASE("of nested bounds on exact work the tightest counts, and the outer one is back afterwards") {
+  Exact x = Exact::ratio(1, 3);
+  const auto grow = [](Exact y) {
+    for (int i = 0; i < 12; ++i) y = y * y;
+  };
+  CHECK_NOTHROW(grow(x));
+  const ExactBudget tight(10);
+  {
+    const ExactBudget wide(1'000'000'000);
+    CHECK_THROWS_AS(grow(x), ExactTooLarge);
+  }
+  CHECK_THROWS_AS(grow(x), ExactTooLarge);
+}

@@ -33,7 +33,8 @@ Checked<std::string> read_text_file(const std::string& file) {
 int run(const Options& options) {
   if (!options.algorithm.empty() && find_algorithm(options.algorithm) == nullptr) {
     std::string message = "there is no algorithm " + excerpt(options.algorithm);
-    if (const auto near = did_you_mean(options.algorithm, algorithm_ids())) message += "; did you mean \"" + *near + "\"?";
+    if (const auto near = did_you_mean(options.algorithm, algorithm_ids()))
+      message += "; did you mean \"" + *near + "\"?";
     throw CLI::ValidationError("--algorithm", message);
   }
   PlayerOptions player;
@@ -81,8 +82,8 @@ void set_up(CLI::App& app, int& status) {
                  "A lesson (a file, or the name or number of one in lessons/), an exercise, a trace, or inputs");
   app.add_option("--algorithm", options->algorithm,
                  "For a file of inputs: the algorithm. Alone: this algorithm with the inputs of a lesson about it");
-  auto* script =
-      app.add_option("--headless-script", options->script, "Without a window: do what this file says, line by line; README.md tells how");
+  auto* script = app.add_option("--headless-script", options->script,
+                                "Without a window: do what this file says, line by line; README.md tells how");
   app.add_option("--out", options->out, "The folder for the script's pictures")->needs(script)->capture_default_str();
   app.add_flag("--times", options->times, "Tell at the end what the first frame and all others took")->excludes(script);
   app.add_option("--state", options->state, "Keep settings, progress and autosaves in this folder, not in XDG's");

@@ -22,7 +22,7 @@ void draw(Ui& ui) {
   const double width = ui.units(room.x), height = ui.units(room.y);
   Sheet sheet;
   add_basis(sheet, session.recording().source(), session.step(), player.emphasis(), left, 0, width - left, height,
-            curve_of(player));
+            curve_of(player), !player.hides("k"));
   ui.sheet("basis", std::move(sheet), width, height);
 }
 

@@ -21,10 +21,12 @@ void draw(Ui& ui) {
     ui.sheet("formula", std::move(sheet), width, height);
   };
   const std::string name = source.graph->name(v), formula = source.formula(v), numbers = source.numbers(v);
-  const std::string value = source.value_text(v);
+  const std::string value = source.value_text(v), made = source.made_text(v);
   say(name + " = " + formula, 1.1, Role::text);
   if (numbers != formula && numbers != value) say("= " + numbers, 1, Role::text);
-  say("= " + value, 1.15, Role::text_current);
+  // Of a rational curve it is the homogeneous point that the formula gives.
+  if (made != value) say("= " + made.substr(0, made.find(": ")), 1, Role::text);
+  say(made != value ? "the point " + value : "= " + value, 1.15, Role::text_current);
   if (const std::string polar = source.polar(v); !polar.empty()) say("blossom value " + polar, 0.9, Role::text_quiet);
 }
 

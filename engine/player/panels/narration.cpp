@@ -7,6 +7,11 @@ namespace {
 
 constexpr double text_size = 1.12;
 
+std::string prompt_of(const Session& session) {
+  const bool asks = session.prediction() != nullptr && !session.prediction()->finished();
+  return asks && session.document().grader ? session.document().grader->exercise().prompt : std::string();
+}
+
 void draw(Ui& ui) {
   const Session& session = *ui.player().session();
   const Session::Words words = session.words();
@@ -21,6 +26,8 @@ void draw(Ui& ui) {
   for (const std::uint32_t phase : graph.phase_path(graph.step(session.step()).phase))
     path += (path.empty() ? "" : "  ›  ") + session.recording().source().phase_title(phase);
   if (!path.empty()) say(path, 0.9, Role::text_quiet);
+  // An exercise says what it asks.
+  if (const std::string prompt = prompt_of(session); !prompt.empty()) say(prompt, 1, Role::text_strong);
   say(words.text, text_size, Role::text);
   if (!words.lesson.empty()) say("The lesson, of its own numbers: " + words.lesson, 0.9, Role::text_quiet);
 }
@@ -30,6 +37,10 @@ double wanted(const Ui& ui, double width) {
   double height = 18, part = 0;
   ui.flow(session.words().text, width - 24, text_size, Role::text, part);
   height += part;
+  if (const std::string prompt = prompt_of(session); !prompt.empty()) {
+    ui.flow(prompt, width - 24, 1, Role::text_strong, part);
+    height += part;
+  }
   if (session.recording().graph().phases().size() > 0) height += 20;
   if (!session.words().lesson.empty()) height += 22;
   // The picture above is not to jump with every step's words, where there is room for some more.

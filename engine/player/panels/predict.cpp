@@ -218,6 +218,10 @@ void draw_fields(Ui& ui, const Session& session, const Question& question, std::
     }
     ImGui::PushID(static_cast<int>(q * 8 + i));
     ImGui::SetNextItemWidth(width);
+    if (i == 0 && draft.wants_keyboard) {
+      ImGui::SetKeyboardFocusHere();
+      ui.send([](Player& p) { p.keyboard_given(); });
+    }
     if (ImGui::InputTextWithHint("##number", list ? "0, 0, 1/2, 1, 1" : "2/5", &text,
                                  ImGuiInputTextFlags_EnterReturnsTrue))
       entered = true;
@@ -255,9 +259,10 @@ void draw_question(Ui& ui, const Session& session, const Prediction& prediction,
   say(ui, prompt_of(session, question), 1.05, Role::text);
   if (question.name == "k") draw_spans(ui, session);
   draw_fields(ui, session, question, q);
-  if (question.kind == ValueKind::point && question.form == Form::affine)
-    ImGui::TextDisabled("or click the place in the picture");
-  draw_lines(ui, session, prediction, q);
+  if (question.kind == ValueKind::point && question.form == Form::affine) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("or click the place");
+  }
 }
 
 // ---- what was said of the last answer ---------------------------------------------------------------------------
@@ -290,6 +295,21 @@ void draw_end(Ui& ui, const Prediction& prediction) {
   }
 }
 
+void draw_buttons(Ui& ui, const Prediction& prediction) {
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  const auto next = [&](std::string_view action, const char* label) {
+    const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SameLine(0, ui.px(6));
+    if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
+    ui.action_button(action, label);
+  };
+  ui.action_button("edit.undo", "Undo");
+  next("predict.show_me", "Show me");
+  if (!prediction.finished()) next("predict.finish", "Finish");
+  next("file.save_answers", "Save ...");
+  next("predict.toggle", "Stop");
+}
+
 void draw(Ui& ui) {
   const Session& session = *ui.player().session();
   const Prediction* prediction = session.prediction();
@@ -299,37 +319,24 @@ void draw(Ui& ui) {
     ImGui::EndChild();
     return;
   }
-  if (!prediction->exercise().prompt.empty() && session.document().kind == Document::Kind::exercise)
-    say(ui, prediction->exercise().prompt, 1, Role::text);
   const auto asked = ui.player().asked();
   draw_marks(ui, *prediction, asked);
-  ImGui::Spacing();
   if (prediction->finished()) draw_end(ui, *prediction);
-  // Of the last answer, what it was worth; then the next question.
+  const bool puts = asked && (!prediction->finished() || prediction->attempt(*asked));
+  if (puts) draw_question(ui, session, *prediction, *asked);
+  draw_buttons(ui, *prediction);
+
+  // What the last answer was worth, or at the end all of them.
   std::optional<std::size_t> last;
   for (std::size_t q = 0; q < prediction->questions().size(); ++q)
-    if (prediction->attempt(q) && (!asked || q < *asked || prediction->finished())) last = q;
-  if (asked && prediction->attempt(*asked))
-    draw_feedback(ui, *prediction, *asked);
-  else if (last && !prediction->finished())
-    draw_feedback(ui, *prediction, *last);
-  if (asked && (!prediction->finished() || prediction->attempt(*asked)))
-    draw_question(ui, session, *prediction, *asked);
-  if (prediction->finished() && !asked)
+    if (prediction->attempt(q) && (!asked || q < *asked)) last = q;
+  if (asked && prediction->attempt(*asked)) last = asked;
+  if (prediction->finished() && !asked) {
     for (std::size_t q = 0; q < prediction->questions().size(); ++q) draw_feedback(ui, *prediction, q);
-
-  ImGui::Spacing();
-  ui.action_button("edit.undo", "Undo");
-  ImGui::SameLine();
-  ui.action_button("predict.show_me", "Show me");
-  if (!prediction->finished()) {
-    ImGui::SameLine();
-    ui.action_button("predict.finish", "Finish");
+  } else if (last) {
+    draw_feedback(ui, *prediction, *last);
   }
-  ImGui::SameLine();
-  ui.action_button("file.save_answers", "Save answers ...");
-  ImGui::SameLine();
-  if (ui.button("Stop", "predict stop")) ui.act("predict.toggle");
+  if (puts) draw_lines(ui, session, *prediction, *asked);
   if (prediction->undos() + prediction->shown() > 0)
     ImGui::TextDisabled("helps: %d taken back, %d shown", prediction->undos(), prediction->shown());
   ImGui::EndChild();

@@ -1,4 +1,6 @@
 // The algorithm's pseudo-code with the line of the step.
+#include <algorithm>
+
 #include "player/ui/panel.hpp"
 #include "player/ui/ui.hpp"
 
@@ -11,6 +13,18 @@ void draw(Ui& ui) {
   Sheet sheet;
   const double height =
       add_pseudo_code(sheet, session.recording().source(), session.step(), ui.player().emphasis(), 6, 4, width - 12);
+  // Where not all of it has room, the line of the step is kept in sight.
+  if (ui.step_is_new_to("code")) {
+    const std::string line = "line " + std::to_string(session.recording().source().line(session.step()));
+    for (const Spot& spot : sheet.spots)
+      if (spot.name == line) {
+        const float top = ui.px(spot.y), bottom = ui.px(spot.y + spot.height), room = ImGui::GetWindowHeight();
+        if (top < ImGui::GetScrollY() || bottom + ui.px(24) > ImGui::GetScrollY() + room) {
+          ImGui::SetScrollY(std::max(0.0f, top - room / 2));
+          ui.redraw();
+        }
+      }
+  }
   ui.sheet("code", std::move(sheet), width, height);
 }
 

@@ -24,6 +24,10 @@ double zoom_for(const StepSource& source, std::uint32_t step, double width, doub
 
 void draw(Ui& ui) {
   const Session& session = *ui.player().session();
+  if (ui.player().hides("k")) {
+    ImGui::TextWrapped("Which points the scheme begins with follows from the span k, which is still asked.");
+    return;
+  }
   ImGui::BeginChild("scheme", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoNavInputs);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const StepSource& source = session.recording().source();
@@ -40,11 +44,7 @@ void draw(Ui& ui) {
     ImGui::TextDisabled("This step has no triangular scheme.");
   } else {
     // It follows the step, and otherwise stays where one has scrolled it.
-    static std::uint64_t version = 0;
-    static std::uint32_t step = absent;
-    if (version != session.version() || step != session.step()) {
-      version = session.version();
-      step = session.step();
+    if (ui.step_is_new_to("tableau")) {
       const auto follow = [&](double middle, double seen_from, double seen, auto&& scroll_to) {
         if (middle < seen_from + 30 || middle > seen_from + seen - 30) scroll_to(std::max(middle - seen / 2, 0.0));
       };

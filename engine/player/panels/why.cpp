@@ -12,7 +12,7 @@ std::string reason(const StepSource& source, const WhyLine& line) {
   std::string text = source.graph->name(line.value) + " = ";
   if (line.given) return text + source.value_text(line.value) + ", given";
   if (line.told_above) return text + source.value_text(line.value) + ", see above";
-  return text + source.formula(line.value) + " = " + source.value_text(line.value);
+  return text + source.formula(line.value) + " = " + source.made_text(line.value);
 }
 
 void draw(Ui& ui) {

@@ -11,7 +11,7 @@ constexpr double least_tabs = 170;    // height
 constexpr double least_main = 200;    // width
 constexpr double lowest_main = 110;   // height
 constexpr double least_foot = 56;     // height
-constexpr double least_window = 330; // height
+constexpr double least_window = 330;  // height
 constexpr double roomy_main = 150;    // what the strip below leaves of it
 constexpr double roomy_height = 460;  // of the side: enough for several panels above the tabs
 

@@ -92,6 +92,8 @@ class Ui {
   // Text with names in it set as in books (see typeset_text), wrapped at a width; `values` makes the names of values
   // spots. The sheet's height in units is stored at `height`.
   Sheet flow(const std::string& text, double width, double size, Role role, double& height, bool values = true) const;
+  // Whether the step is another one than when this panel asked last: then it scrolls along.
+  bool step_is_new_to(const std::string& panel);
   bool keyboard_in(std::string_view panel) const { return player_->focus == panel; }
 
  private:
@@ -142,6 +144,7 @@ class Ui {
   std::vector<Spot> kept_spots_;
   Link hovered_;  // of this frame
   std::string hovered_panel_;
+  std::map<std::string, std::pair<std::uint64_t, std::uint32_t>> seen_steps_;
   Link menu_link_;
   bool menu_requested_ = false;
 };

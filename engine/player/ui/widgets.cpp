@@ -130,6 +130,11 @@ bool Ui::icon_button(std::string_view id, std::string_view icon, bool pressed_in
   return pressed;
 }
 
+bool Ui::step_is_new_to(const std::string& panel) {
+  const std::pair now{player_->session()->version(), player_->session()->step()};
+  return std::exchange(seen_steps_[panel], now) != now;
+}
+
 void Ui::heading(const char* text) {
   ImGui::PushFont(bold_);
   ImGui::PushStyleColor(ImGuiCol_Text, ink(Role::text_quiet));
