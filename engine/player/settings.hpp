@@ -36,7 +36,7 @@ struct Settings {
   bool grid = true;
   bool perspective = false;
   double side_share = 0.4;                    // of the window's width, the panels at the right: 0.2 to 0.6
-  double lower_share = 0.45;                  // of their height, the tabbed ones: 0.2 to 0.8
+  double lower_share = 0.43;                  // of their height, the tabbed ones: 0.2 to 0.8
   int width = 1280, height = 720;             // of the window: 320 by 240 to 16384 by 16384
   std::vector<std::filesystem::path> recent;  // newest first, each once, most_recent at most
   bool operator==(const Settings&) const = default;

@@ -25,8 +25,7 @@ void draw(Ui& ui) {
   say(name + " = " + formula, 1.1, Role::text);
   if (numbers != formula && numbers != value) say("= " + numbers, 1, Role::text);
   // Of a rational curve it is the homogeneous point that the formula gives.
-  if (made != value) say("= " + made.substr(0, made.find(": ")), 1, Role::text);
-  say(made != value ? "the point " + value : "= " + value, 1.15, Role::text_current);
+  say("= " + made, made != value ? 1 : 1.15, Role::text_current);
   if (const std::string polar = source.polar(v); !polar.empty()) say("blossom value " + polar, 0.9, Role::text_quiet);
 }
 

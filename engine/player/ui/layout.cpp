@@ -83,7 +83,7 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
     for (std::size_t i = 0; i < stacked.size(); ++i) {
       const double wish_height = wanted(*stacked[i], side_width);
       const bool last = i + 1 == stacked.size();
-      const double height = last ? left : std::min(wish_height, std::max(left - 96, left * 0.6));
+      const double height = last ? left : std::min(wish_height, std::max(left - 118, left * 0.5));
       layout.placed.push_back({stacked[i], {x, y, side_width, std::max(height - gap, 0.0)}});
       y += height;
       left -= height;
@@ -93,6 +93,8 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
   } else if (side_height < lowest_main + gap + least_tabs) {
     // Not even room for the picture above the tabs: it is one of them.
     layout.tabbed.insert(layout.tabbed.begin(), main.begin(), main.end());
+    const auto strip = of_slot(Slot::strip);
+    layout.tabbed.insert(layout.tabbed.end(), strip.begin(), strip.end());
     layout.tabs = {gap, top, std::max(wish.width - 2 * gap, 0.0), side_height};
     return layout;
   } else {
@@ -108,7 +110,10 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
   std::vector<std::pair<const Panel*, double>> kept;
   for (const Panel* panel : strip) {
     const double height = std::min(wanted(*panel, main_width), strip_room);
-    if (height < panel->least) continue;
+    if (height < panel->least) {
+      layout.tabbed.push_back(panel);
+      continue;
+    }
     kept.emplace_back(panel, height);
     strip_room -= height;
   }
