@@ -20,17 +20,8 @@ void draw(Ui& ui) {
   ImGui::Dummy({0, ui.px(2)});
   const bool entered = dialog_field(ui, "File", "dialog file", file.text, true);
   quiet_text(ui, "in " + printable(file.path().parent_path().string()));
-  const std::string wrong = file.wrong({".json"});
-  const bool asks = wrong.empty() && file.asks();
-  if (!wrong.empty())
-    dialog_warning(ui, wrong);
-  else if (asks)
-    dialog_warning(ui, "There is a file of this name already. Press Replace to write over it.");
-  else
-    ImGui::TextUnformatted("");
-  const bool pressed = dialog_buttons(ui, asks ? "Replace" : "Save", wrong.empty());
-  if ((pressed || entered) && wrong.empty() && file.confirm())
-    ui.send([path = file.path()](Player& player) {
+  if (const auto path = ask_to_save(ui, file, file.wrong({".json"}), entered))
+    ui.send([path = *path](Player& player) {
       player.dialog = Dialog::none;  // what goes wrong is said in the window
       player.save_answers(path);
     });

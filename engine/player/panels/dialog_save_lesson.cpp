@@ -57,16 +57,8 @@ void draw(Ui& ui) {
   std::string wrong = fields.title.find_first_not_of(" \t") == std::string::npos ? "Give the lesson a title." : "";
   if (wrong.empty()) wrong = wrong_id(fields.id);
   if (wrong.empty()) wrong = fields.file.wrong({".json"});
-  const bool asks = wrong.empty() && fields.file.asks();
-  if (!wrong.empty())
-    dialog_warning(ui, wrong);
-  else if (asks)
-    dialog_warning(ui, "There is a file of this name already. Press Replace to write over it.");
-  else
-    ImGui::TextUnformatted("");
-  const bool pressed = dialog_buttons(ui, asks ? "Replace" : "Save", wrong.empty());
-  if ((pressed || entered) && wrong.empty() && fields.file.confirm())
-    ui.send([file = fields.file.path(), id = fields.id, title = fields.title](Player& player) {
+  if (const auto path = ask_to_save(ui, fields.file, wrong, entered))
+    ui.send([file = *path, id = fields.id, title = fields.title](Player& player) {
       player.dialog = Dialog::none;  // what goes wrong is said in the window
       player.save_lesson(file, id, title);
     });

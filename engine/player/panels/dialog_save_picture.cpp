@@ -26,17 +26,8 @@ void draw(Ui& ui) {
   kind("PNG, for the screen and for slides", ".png", "dialog png");
   kind("SVG, for print at any size", ".svg", "dialog svg");
 
-  const std::string wrong = file.wrong({".png", ".svg"});
-  const bool asks = wrong.empty() && file.asks();
-  if (!wrong.empty())
-    dialog_warning(ui, wrong);
-  else if (asks)
-    dialog_warning(ui, "There is a file of this name already. Press Replace to write over it.");
-  else
-    ImGui::TextUnformatted("");
-  const bool pressed = dialog_buttons(ui, asks ? "Replace" : "Save", wrong.empty());
-  if ((pressed || entered) && wrong.empty() && file.confirm())
-    ui.send([path = file.path()](Player& player) {
+  if (const auto path = ask_to_save(ui, file, file.wrong({".png", ".svg"}), entered))
+    ui.send([path = *path](Player& player) {
       player.dialog = Dialog::none;  // what goes wrong is said in the window
       player.save_picture(path);
     });

@@ -236,4 +236,16 @@ bool Target::confirm() {
   return false;
 }
 
+std::optional<fs::path> ask_to_save(Ui& ui, Target& file, const std::string& wrong, bool entered) {
+  const bool asks = wrong.empty() && file.asks();
+  if (!wrong.empty())
+    dialog_warning(ui, wrong);
+  else if (asks)
+    dialog_warning(ui, "There is a file of this name already. Press Replace to write over it.");
+  else
+    ImGui::TextUnformatted("");
+  const bool pressed = dialog_buttons(ui, asks ? "Replace" : "Save", wrong.empty());
+  return (pressed || entered) && wrong.empty() && file.confirm() ? std::optional(file.path()) : std::nullopt;
+}
+
 }  // namespace blossom

@@ -57,6 +57,9 @@ struct Target {
   bool confirm();
   bool asks() const { return !armed.empty() && armed == text; }
 };
+// What is wrong or will be replaced, and the buttons: the path when it is to be written now. `entered`: Enter was
+// pressed in a field.
+std::optional<std::filesystem::path> ask_to_save(Ui&, Target&, const std::string& wrong, bool entered);
 // "~", and relative to the folder.
 std::filesystem::path typed_path(const std::filesystem::path& folder, const std::string& text);
 // The folder of what is open if one may write there, otherwise the working folder.
