@@ -37,16 +37,12 @@ inline Numbers<Exact> blend(NumbersView<Exact> a, NumbersView<Exact> A, NumbersV
   return made;
 }
 
-// (1-u) and u exchanged.
-inline Misconception swapped_weights() {
-  return {
-      "swapped-weights", "the weights are swapped",
-      "The weight of each point is the distance to the other one: at u = 0 the result is the first point, so the first "
-      "point gets 1-u and the second gets u.",
-      [](const Site& site) -> std::vector<Numbers<Exact>> {
-        if (!is_blend(site)) return {};
-        return {blend(site.operand(0), site.operand(2), site.operand(1))};
-      }};
+// The two weights exchanged. The advice names the algorithm's own weights and points.
+inline Misconception swapped_weights(std::string_view advice) {
+  return {"swapped-weights", "the weights are swapped", advice, [](const Site& site) -> std::vector<Numbers<Exact>> {
+            if (!is_blend(site)) return {};
+            return {blend(site.operand(0), site.operand(2), site.operand(1))};
+          }};
 }
 
 // The homogeneous coordinates given as the point: C = (wx, wy).

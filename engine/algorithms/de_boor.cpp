@@ -98,8 +98,15 @@ const Algorithm& de_boor() {
     };
     a.rules = {&rule_info<FindSpan>, &rule_info<Multiplicity>, &rule_info<Ratio>,
                &rule_info<Blend>,    &rule_info<Same>,         &rule_info<Project>};
-    a.misconceptions = {swapped_weights(), missing_division(), unweighted_points(),
-                        neighbour_knot(),  wrong_pair(),       wrong_span()};
+    a.misconceptions = {
+        swapped_weights("P[r][i] = (1-alpha[r][i]) P[r-1][i-1] + alpha[r][i] P[r-1][i]: where alpha is 0 "
+                        "the result is the earlier point, so that one gets 1-alpha and the later one "
+                        "gets alpha."),
+        missing_division(),
+        unweighted_points(),
+        neighbour_knot(),
+        wrong_pair(),
+        wrong_span()};
     a.misconceptions.back().wrong = point_of_wrong_span;
     a.asks = {"k", "alpha[1][*]", "P[1][*]", "P[*][*]", "C"};
     a.check = check;

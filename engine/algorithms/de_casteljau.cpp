@@ -66,7 +66,9 @@ const Algorithm& de_casteljau() {
     };
     a.rules = {&rule_info<Blend>, &rule_info<Same>, &rule_info<Project>};
     a.misconceptions = {
-        swapped_weights(),
+        swapped_weights(
+            "P[r][i] = (1-u) P[r-1][i] + u P[r-1][i+1]: at u = 0 the result is the first point, so that one "
+            "gets 1-u and the second gets u."),
         missing_division(),
         unweighted_points(),
         {"wrong-pair", "the point on the wrong side is taken",

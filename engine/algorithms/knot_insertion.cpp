@@ -109,7 +109,8 @@ const Algorithm& knot_insertion() {
     a.rules = {&rule_info<LastKnot>, &rule_info<Multiplicity>, &rule_info<Ratio>,
                &rule_info<Blend>,    &rule_info<Same>,         &rule_info<InsertKnot>};
     a.misconceptions = {
-        swapped_weights(),
+        swapped_weights("Q[r][i] = (1-alpha[r][i]) Q[r-1][i-1] + alpha[r][i] Q[r-1][i]: where alpha is 0 the result is "
+                        "the earlier point, so that one gets 1-alpha and the later one gets alpha."),
         missing_division(),
         unweighted_points(),
         neighbour_knot(),

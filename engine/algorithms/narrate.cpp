@@ -21,8 +21,9 @@ template <Scalar S>
 Narrator<S>::Narrator(const Run<S>& run, int digits) : run_(&run), digits_(digits), labels_(run.trace.polar_labels()) {}
 
 template <Scalar S>
-std::string Narrator<S>::number(const S& x) const {
-  if (digits_ == 0 || (std::same_as<S, Exact> && !is_approximate(x))) return format_number(x);
+std::string Narrator<S>::number(const S& x, bool decimals) const {
+  if (std::same_as<S, Exact> && decimals && digits_ == 0) return format_number(to_double(x));
+  if (digits_ == 0 || (std::same_as<S, Exact> && !decimals && !is_approximate(x))) return format_number(x);
   std::array<char, 40> rounded;
   std::snprintf(rounded.data(), rounded.size(), "%.*e", digits_ - 1,
                 to_double(x));  // rounds; then the shortest text of it
@@ -133,51 +134,68 @@ std::string Narrator<S>::text(std::uint32_t step) const {
 
 // Several numbers in parentheses. Where decimals are rounded, what rounding errors left of a zero is shown as 0.
 template <Scalar S>
-std::string Narrator<S>::list(NumbersView<S> numbers) const {
+std::string Narrator<S>::list(NumbersView<S> numbers, bool decimals) const {
+  decimals = decimals || std::ranges::any_of(numbers, [](const S& x) { return is_approximate(x); });
   double largest = 0;
   for (const S& x : numbers) largest = std::max(largest, std::abs(to_double(x)));
   std::string text = "(";
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const bool noise = digits_ > 0 && std::abs(to_double(numbers[i])) < 1e-14 * largest;
-    text += (i > 0 ? ", " : "") + (noise ? "0" : number(numbers[i]));
+    text += (i > 0 ? ", " : "") + (noise ? "0" : number(numbers[i], decimals));
   }
   return text + ")";
 }
 
 template <Scalar S>
+bool Narrator<S>::approximate(ValueId v) const {
+  return std::same_as<S, Exact> &&
+         std::ranges::any_of(trace().numbers(v), [](const S& x) { return is_approximate(x); });
+}
+
+template <Scalar S>
 std::string Narrator<S>::operand_text(ValueId v) const {
-  const ValueKind kind = trace().value(v).kind;
-  if (kind != ValueKind::vector && !(kind == ValueKind::point && trace().rational)) return value_text(v);
-  const auto numbers = trace().numbers(v);
-  std::vector<S> shown(numbers.begin(), numbers.begin() + trace().dimension);
-  if (trace().rational) shown.push_back(numbers[3]);
-  return list(shown);
+  return operand_text(v, approximate(v));
 }
 
 template <Scalar S>
 std::string Narrator<S>::value_text(ValueId v) const {
+  return value_text(v, approximate(v));
+}
+
+template <Scalar S>
+std::string Narrator<S>::operand_text(ValueId v, bool decimals) const {
+  const ValueKind kind = trace().value(v).kind;
+  if (kind != ValueKind::vector && !(kind == ValueKind::point && trace().rational)) return value_text(v, decimals);
+  const auto numbers = trace().numbers(v);
+  std::vector<S> shown(numbers.begin(), numbers.begin() + trace().dimension);
+  if (trace().rational) shown.push_back(numbers[3]);
+  return list(shown, decimals);
+}
+
+template <Scalar S>
+std::string Narrator<S>::value_text(ValueId v, bool decimals) const {
   const auto numbers = trace().numbers(v);
   switch (trace().value(v).kind) {
     case ValueKind::integer:
     case ValueKind::scalar:
-      return number(numbers[0]);
+      return number(numbers[0], decimals && trace().value(v).kind == ValueKind::scalar);
     case ValueKind::list:
-      return list(numbers);
+      return list(numbers, decimals);
     case ValueKind::vector:
-      return operand_text(v);
+      return operand_text(v, decimals);
     case ValueKind::point:
       break;
   }
   std::vector<S> shown(numbers.begin(), numbers.begin() + trace().dimension);
   // The point on a rational curve, after the division, is an ordinary one.
-  if (!trace().rational || trace().value(v).rule == &rule_info<Project>) return list(shown);
+  if (!trace().rational || trace().value(v).rule == &rule_info<Project>) return list(shown, decimals);
   const S& w = numbers[3];
   if (w == S(0)) {
     const bool nothing = std::ranges::all_of(shown, [](const S& x) { return x == S(0); });
-    return nothing ? std::string("no point, w = 0") : "at infinity, direction " + list(shown);
+    return nothing ? std::string("no point, w = 0") : "at infinity, direction " + list(shown, decimals);
   }
   for (S& x : shown) x = x / w;
-  return list(shown) + ", w = " + number(w);
+  return list(shown, decimals) + ", w = " + number(w, decimals);
 }
 
 template <Scalar S>
@@ -221,28 +239,73 @@ template <Scalar S>
 std::string Narrator<S>::formula(ValueId v) const {
   if (trace().is_input(v)) return "given";
   std::vector<std::string> names;
-  const std::string scope = trace().scope(v);
-  for (const ValueId o : trace().operands(v)) {
-    std::string name = trace().name(o);
-    if (name.starts_with(scope)) name.erase(0, scope.size());  // within one phase the local name reads better
-    const Name& record = trace().value(o).name;
-    if (record.symbol == Symbol::of("U") && record.arity == 1 && trace().value(o).kind == ValueKind::scalar)
-      name = "u_" + std::to_string(record.index[0]);
-    names.push_back(std::move(name));
-  }
-  return fill_formula(trace().value(v).rule->formula, names);
+  const std::string_view formula = trace().value(v).rule->formula;
+  for (const ValueId o : trace().operands(v)) names.push_back(operand_name(v, o));
+  if (trace().value(v).rule == &rule_info<Project>)
+    return (trace().dimension == 3 ? "(wx, wy, wz) / w of " : "(wx, wy) / w of ") + names[0];
+  // An index of N_(j,q) is a whole number that says nothing by its name.
+  const std::size_t subscript = formula.find("_(");
+  for (std::size_t i = 0; subscript != std::string_view::npos && i < names.size(); ++i)
+    if (const std::size_t slot = formula.find("{" + std::to_string(i) + "}");
+        slot != std::string_view::npos && slot > subscript && slot < formula.find(')', subscript))
+      names[i] = value_text(trace().operands(v)[i]);
+  return fill_formula(formula, names);
+}
+
+namespace {
+
+// What two scopes begin with, up to a dot.
+std::size_t common_scope(std::string_view a, std::string_view b) {
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()) && a[i] == b[i]; ++i)
+    if (a[i] == '.') same = i + 1;
+  return same;
+}
+
+}  // namespace
+
+template <Scalar S>
+std::string Narrator<S>::operand_name(ValueId v, ValueId operand) const {
+  const Name& record = trace().value(operand).name;
+  const std::string scope = trace().scope(operand);
+  const std::size_t shared = common_scope(trace().scope(v), scope);
+  if (record.symbol == Symbol::of("U") && record.arity == 1 && trace().value(operand).kind == ValueKind::scalar)
+    return scope.substr(shared) + "u_" + std::to_string(record.index[0]);
+  return trace().name(operand).substr(shared);
+}
+
+template <Scalar S>
+std::string Narrator<S>::own_name(ValueId v) const {
+  const std::string name = trace().name(v), scope = trace().scope(v);
+  std::size_t shared = scope.size();
+  // Its own phase at least, where there is one: the operand may be of a phase inside it.
+  const std::size_t around = scope.size() < 2 ? std::string::npos : scope.rfind('.', scope.size() - 2);
+  const std::size_t phase = around == std::string::npos ? 0 : around + 1;
+  if (!trace().is_input(v))
+    for (const ValueId o : trace().operands(v))
+      if (trace().value(o).name == trace().value(v).name)
+        shared = std::min({shared, phase, common_scope(scope, trace().scope(o))});
+  return name.substr(shared);
 }
 
 template <Scalar S>
 std::string Narrator<S>::numbers(ValueId v) const {
   if (trace().is_input(v)) return value_text(v);
+  // One line writes its numbers, and the result behind them, in one manner.
+  const bool decimals = approximate(v);
+  if (trace().value(v).rule == &rule_info<Project> && trace().rational) {
+    const auto A = trace().numbers(trace().operands(v)[0]);
+    const std::string w = number(A[3], decimals);
+    return list(A.first(static_cast<std::size_t>(trace().dimension)), decimals) + " / " +
+           (w[0] == '-' || w.find('/') != std::string::npos ? "(" + w + ")" : w);
+  }
   std::vector<std::string> values;
   const std::string_view formula = trace().value(v).rule->formula;
   const bool listed = formula.find("{*}") != std::string_view::npos;
   for (const ValueId o : trace().operands(v)) {
     // A number made from points (a distance) is measured between them in space, not between homogeneous coordinates.
     const bool measured = trace().value(v).kind == ValueKind::scalar && trace().value(o).kind == ValueKind::point;
-    std::string text = measured ? value_text(o) : operand_text(o);
+    std::string text = measured ? value_text(o, decimals) : operand_text(o, decimals);
     if (measured) text.erase(text.rfind(')') + 1);  // without the weight
     // Inside a formula (not in a list between commas) a negative number needs its parentheses, and so does a fraction
     // that is itself divided.

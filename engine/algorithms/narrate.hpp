@@ -43,6 +43,10 @@ class Narrator {
   std::string made_text(ValueId) const;
   // Knots are written u_3 there, as in books.
   std::string formula(ValueId) const;  // with names:   (1 - u) P[0][0] + u P[0][1]
+  // The name on the left of that formula, and of an operand in it: without the phases that both are in. The left one
+  // names its phase only where an operand of another phase has the same name.
+  std::string own_name(ValueId) const;
+  std::string operand_name(ValueId, ValueId operand) const;
   std::string numbers(ValueId) const;  // with numbers: (1 - 2/5) (0, 0) + 2/5 (1, 2)
   std::string polar(ValueId) const;    // "b(0, 2/5, 1)" or ""
   std::string phase_title(std::uint32_t phase) const;
@@ -69,8 +73,12 @@ class Narrator {
   std::optional<Found> resolve(std::string_view reference, const Context&) const;
   std::optional<int> index(std::string_view expression, const Context&) const;
 
-  std::string number(const S&) const;
-  std::string list(NumbersView<S>) const;
+  // In an exact run, `decimals` writes what is known exactly as a decimal, too: beside numbers that are not.
+  std::string number(const S&, bool decimals = false) const;
+  std::string list(NumbersView<S>, bool decimals = false) const;
+  std::string value_text(ValueId, bool decimals) const;
+  std::string operand_text(ValueId, bool decimals) const;
+  bool approximate(ValueId) const;
 
   const Run<S>* run_;
   int digits_;

@@ -147,6 +147,11 @@ std::optional<Exact> Cursor::number() const {
     error("must be a number or an exact string such as \"2/5\", not " + describe(*json_));
     return std::nullopt;
   }
+  // Decimals with hundreds of digits are fractions of twice as many, which nobody could read back.
+  if (json_->text.size() > 150 && number->to_string().size() > 400) {
+    error("has too many digits: as a fraction it must have at most 400, not " + describe(*json_));
+    return std::nullopt;
+  }
   if (!std::isfinite(number->to_double())) {
     error("too large; at most about 1.8e308, not " + describe(*json_));
     return std::nullopt;

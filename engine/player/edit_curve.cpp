@@ -238,9 +238,9 @@ Point<double> centre(const Curve<Exact>& curve) {
   Point<double> sum(0, 0, 0);
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const Point<Exact> P = affine(curve, i);
-    sum += Point<double>(P.x.to_double(), P.y.to_double(), P.z.to_double());
+    sum += Point<double>(P.x.to_double(), P.y.to_double(), P.z.to_double()) / static_cast<double>(curve.points.size());
   }
-  return sum / static_cast<double>(curve.points.size());
+  return sum;
 }
 
 // How far a curve put in behind `at` lies from that one: halfway to the next, or, behind the last, as far as that one
@@ -252,7 +252,7 @@ Point<Exact> shift_behind(const std::vector<Curve<Exact>>& curves, std::size_t a
   else if (at > 0)
     shift = centre(curves[at]) - centre(curves[at - 1]);
   const double size = std::max({std::abs(shift.x), std::abs(shift.y), std::abs(shift.z)});
-  if (!(size > 1e-6) || !std::isfinite(size))
+  if (!(size > 1e-6) || !std::isfinite(shift.x + shift.y + shift.z))
     return curves[at].dimension == 3 ? Point<Exact>(0, 0, 1) : Point<Exact>(0, 1, 0);
   const double unit = size / 50;
   return {snapped(shift.x, unit), snapped(shift.y, unit), snapped(shift.z, unit)};

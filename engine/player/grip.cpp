@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "player/session.hpp"
+#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {
@@ -98,14 +99,16 @@ Edited PointGrip::edited(const Algorithm& algorithm, glm::dvec2 mouse, const Gri
 Grip grip_of_value(const Session& session, ValueId value, const Camera& camera, ViewSize size, glm::dvec2 mouse) {
   const TraceGraph& graph = session.recording().graph();
   const std::string name = graph.name(value);
+  const ValueRecord& record = graph.value(value);
+  const std::string shown = plain_name(record.name, session.recording().source().algorithm_at(record.step));
   const auto address = address_of(graph, session.inputs(), value);
   if (!address)
     return StuckGrip{name, graph.is_input(value)
-                               ? name + " is given and cannot be dragged."
-                               : name + " is computed; drag one of the control points it comes from."};
+                               ? shown + " is given and cannot be dragged."
+                               : shown + " is computed; drag one of the control points it comes from."};
   const auto& at = session.recording().source().points[value];
   if (!at || !to_page(camera, size, *at))
-    return StuckGrip{name, name + " has weight 0 and so no place; give it a positive weight first."};
+    return StuckGrip{name, shown + " has weight 0 and so no place; give it a positive weight first."};
   return PointGrip(session, *address, camera, size, mouse, grid_spacing(session, camera, size));
 }
 

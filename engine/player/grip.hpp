@@ -46,6 +46,7 @@ class PointGrip {
   const PointAddress& address() const { return address_; }
   const std::string& name() const { return name_; }
   const Inputs<Exact>& before() const { return before_; }
+  void rebase(const Inputs<Exact>& inputs) { before_ = inputs; }
   Point<Exact> place(glm::dvec2 mouse, const GripKeys&) const;
   Edited edited(const Algorithm&, glm::dvec2 mouse, const GripKeys&) const;
   // 0, 1, 2 for x, y, z: the axis that is most along the drag on the page; nothing while there is no drag.
@@ -72,6 +73,7 @@ class KnotGrip {
 
   const CurveAddress& curve() const { return address_; }
   const Inputs<Exact>& before() const { return before_; }
+  void rebase(const Inputs<Exact>& inputs) { before_ = inputs; }
   Exact value(double mouse_x, const GripKeys&) const;
   std::size_t index(double mouse_x, const GripKeys&) const;  // of the knot that is meant
   Edited edited(const Algorithm&, double mouse_x, const GripKeys&) const;
@@ -91,6 +93,7 @@ class ParameterGrip {
   ParameterGrip(const Session&, const KnotAxis&, double mouse_x, bool jumps);
 
   const Inputs<Exact>& before() const { return before_; }
+  void rebase(const Inputs<Exact>& inputs) { before_ = inputs; }
   Exact value(double mouse_x, const GripKeys&) const;
   Edited edited(const Algorithm&, double mouse_x, const GripKeys&) const;
 

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "player/player.hpp"
+#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {
@@ -23,19 +24,26 @@ bool Player::take(Grip grip) {
   if (changes && is_open_prediction(*session_)) {
     // An edit ends predicting, as the questions were about other numbers: not by a slip of the hand.
     notice("While you predict, what is given stays as it is. Ctrl+T ends predicting.");
-    held_ = Held{StuckGrip{}, {}, {}, true};
+    held_ = Held{StuckGrip{}, {}, {}, true, true};
     return false;
   }
   if (const auto* stuck = std::get_if<StuckGrip>(&grip)) notice(stuck->why);
   // The picture is not to move under the mouse because a point moves in it.
   if (std::holds_alternative<PointGrip>(grip)) set_camera(shown_camera());
   if (changes) session_->end_gesture();
-  held_ = Held{std::move(grip), {}, {}, false};
+  held_ = Held{std::move(grip), {}, {}, false, false};
   return true;
 }
 
 void Player::drag(glm::dvec2 mouse, const GripKeys& keys) {
   if (!session_ || !held_ || held_->over) return;
+  // What was typed when the hand went down is in the inputs by now.
+  if (!std::exchange(held_->begun, true))
+    std::visit(
+        [&](auto& grip) {
+          if constexpr (requires { grip.rebase(session_->inputs()); }) grip.rebase(session_->inputs());
+        },
+        held_->grip);
   held_->mouse = mouse;
   held_->keys = keys;
   const Algorithm& algorithm = session_->algorithm();
@@ -72,9 +80,12 @@ void Player::let_go() {
 bool Player::put_back() {
   if (!session_ || !held_ || held_->over) return false;
   held_->over = true;
-  if (const auto* look = std::get_if<LookGrip>(&held_->grip)) set_camera(look->from);
-  session_->cancel_gesture();
-  session_->forget_rejected();
+  if (const auto* look = std::get_if<LookGrip>(&held_->grip)) {
+    set_camera(look->from);
+  } else if (!std::holds_alternative<StuckGrip>(held_->grip)) {
+    session_->cancel_gesture();
+    session_->forget_rejected();
+  }
   return true;
 }
 
@@ -116,7 +127,8 @@ void Player::nudge(const glm::dvec3& direction) {
   const std::string name = v != absent ? session_->recording().graph().name(v) : "the point";
   set_camera(camera);
   if (!edit(move_point(session_->algorithm(), session_->inputs(), *address, to), name + " moved"))
-    notice(session_->rejected().empty() ? name + " cannot be moved" : session_->rejected()[0].message);
+    notice(session_->rejected().empty() ? unicode_text(typeset_text(name, session_->algorithm())) + " cannot be moved"
+                                        : session_->rejected()[0].message);
 }
 
 void Player::add_point_behind(const PointAddress& address) {

@@ -20,6 +20,7 @@ class History {
   void push(T value, std::string what, std::string gesture = {}) {
     if (!gesture.empty() && at_ > 0 && at_ + 1 == states_.size() && states_[at_].gesture == gesture) {
       states_[at_].value = std::move(value);
+      states_[at_].what = std::move(what);
       return;
     }
     states_.resize(at_ + 1, states_.front());
@@ -31,7 +32,7 @@ class History {
 
   // The state of a gesture that is not over goes, as if it had never been. False: there is none.
   bool cancel_gesture() {
-    if (at_ == 0 || states_[at_].gesture.empty()) return false;
+    if (at_ == 0 || at_ + 1 != states_.size() || states_[at_].gesture.empty()) return false;
     states_.resize(at_, states_.front());
     --at_;
     return true;

@@ -10,6 +10,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double motion_seconds = 0.45, glide_seconds = 0.3, notice_seconds = 5, look_seconds = 0.5, keep_seconds = 1.5;
+constexpr std::size_t most_ringed = 6;  // of what a lesson points out
 
 double eased(double t) { return t * t * (3 - 2 * t); }
 
@@ -52,18 +53,7 @@ bool Player::open(Document document) {
   remember_progress();
   session_ = std::move(*session);
   dismiss_problems();
-  pin({});
-  hovered_ = focused = {};
-  why_.reset();
-  camera_.reset();
-  glide_.reset();
-  curve = 0;
-  open_phases.clear();
-  draft_ = {};
-  chosen_question_.reset();
-  predicted_place.reset();
-  held_.reset();
-  motion_ = 1;
+  forget_what_was_about();
   dialog = Dialog::none;
   tab = session_->document().kind == Document::Kind::exercise ? "predict" : "tableau";
   watch_ = file.empty() || !options_.watch ? FileWatch() : FileWatch(file);
@@ -76,13 +66,32 @@ bool Player::open(Document document) {
       session_->set_bookmarks(known->bookmarks);
       if (known->step > 0 && known->step < known->last && known->last == session_->last()) {
         session_->seek(known->step);
-        notice("Going on at step " + std::to_string(known->step) + "; Home is the beginning.");
+        if (session_->document().kind != Document::Kind::exercise)
+          notice("Going on at step " + std::to_string(known->step) + "; Home is the beginning.");
       }
     }
   }
-  if (session_->document().kind == Document::Kind::exercise) session_->start_prediction();
+  if (session_->document().kind == Document::Kind::exercise)
+    if (auto wrong = session_->start_prediction(); !wrong.empty())
+      show_problems("This exercise cannot be answered here", std::move(wrong));
   to_keep_ = true;
   return true;
+}
+
+// Of another document, or another algorithm.
+void Player::forget_what_was_about() {
+  pin({});
+  hovered_ = focused = {};
+  linked_.reset();
+  emphasis_key_.reset();
+  why_.reset();
+  camera_.reset();
+  glide_.reset();
+  curve = 0;
+  open_phases.clear();
+  forget_questions();
+  held_.reset();
+  motion_ = 1;
 }
 
 void Player::unless_unsaved(std::function<void(Player&)> then) {
@@ -94,8 +103,7 @@ void Player::unless_unsaved(std::function<void(Player&)> then) {
 void proceed_after_unsaved(Player& player) {
   const auto then = std::exchange(player.after_unsaved_, nullptr);
   player.dialog = Dialog::none;
-  if (player.session_) player.session_->mark_saved();
-  if (then) then(player);
+  if (then) then(player);  // what it opens takes the place of the edits; where it cannot be opened they are still there
 }
 
 void Player::cancel_dialog() {
@@ -114,6 +122,10 @@ void Player::close() {
 }
 
 void Player::recover(std::size_t which) {
+  unless_unsaved([which](Player& player) { player.recover_now(which); });
+}
+
+void Player::recover_now(std::size_t which) {
   if (which >= lost_.size()) return;
   const Autosave lost = lost_[which];
   auto parsed = JsonDocument::parse(lost.file.filename().string(), lost.content);
@@ -121,14 +133,17 @@ void Player::recover(std::size_t which) {
   if (!document) return show_problems("The recovered edits cannot be opened", std::move(document.diagnostics));
   // The original stays what the edits are edits of, if it can still be read.
   const Inputs<Exact> edited = document->inputs;
-  if (auto original = lost.origin.empty() ? Checked<Document>() : open_document(lost.origin);
-      original && original->algorithm == document->algorithm)
-    document = std::move(original);
+  auto original = lost.origin.empty() ? Checked<Document>() : open_document(lost.origin, document->algorithm->id);
+  const bool has_original = original && original->algorithm == document->algorithm;
+  if (has_original) document = std::move(original);
   if (!open(std::move(*document))) return;
   session_->seek(lost.step);
-  edit(Edited(edited), "recovered edits");
+  if (!edit(Edited(edited), "recovered edits")) return;
+  if (!has_original) session_->mark_never_saved();
+  keep();  // they are in an autosave of our own before the old one goes
   forget_lost(which);
-  notice("The edits are back. Undo shows the file without them.");
+  notice(has_original ? "The edits are back. Undo shows the file without them."
+                      : "The edits are back. The file they were made in cannot be opened any more.");
 }
 
 void Player::forget_lost(std::size_t which) {
@@ -154,6 +169,7 @@ void Player::pin(const Link& link) {
     pin_.reset();
     return;
   }
+  if (link.kind == Link::Kind::value && (!session_ || link.id >= session_->recording().graph().value_count())) return;
   pin_ = Pin{link, link.kind == Link::Kind::value && session_ ? session_->recording().graph().name(link.id) : ""};
 }
 
@@ -167,7 +183,7 @@ Link Player::pinned() const {
 bool Player::is_pinned(const Link& link) const { return pin_ && pinned() == link; }
 
 void Player::ask_why(ValueId v) {
-  if (!session_) return;
+  if (!session_ || v >= session_->recording().graph().value_count()) return;
   why_ = session_->recording().graph().name(v);
   tab = "why";
 }
@@ -187,7 +203,10 @@ const Emphasis& Player::emphasis() const {
     const StepSource& source = session_->recording().source();
     // What a lesson points out stands back when somebody points at something.
     emphasis_ = merged(emphasis_of(source, key.pinned, key.step), emphasis_of(source, key.hovered, key.step));
-    if (emphasis_.empty()) emphasis_.lit = key.highlights;
+    if (emphasis_.empty()) {
+      emphasis_.lit = key.highlights;
+      emphasis_.quiet = emphasis_.lit.size() > most_ringed;
+    }
     emphasis_key_ = std::move(key);
   }
   return emphasis_;
@@ -219,69 +238,6 @@ void Player::glide_to(const std::optional<Camera>& to) {
   camera_ = from;
 }
 
-// ---- predicting -----------------------------------------------------------------------------------------------------
-
-void Player::stay_before_question() {
-  if (!session_ || session_->prediction() == nullptr || !session_->prediction()->veiled(session_->step())) return;
-  const Prediction& prediction = *session_->prediction();
-  // One waits at the last step that gives nothing away.
-  const std::size_t first = prediction.marking() == Marking::at_end ? 0 : *prediction.open();
-  const Question& question = prediction.questions()[first];
-  const std::uint32_t before = question.step > 0 ? question.step - 1 : 0;
-  session_->move([=](Timeline& t) { return t.pause(), t.seek(before); });
-  motion_ = 1;
-  tab = "predict";
-  notice(prediction.marking() == Marking::at_end ? "The steps are shown when all is answered."
-                                                 : "First say what " + question.name + " will be, or let it be shown.");
-}
-
-std::optional<std::size_t> Player::asked() const {
-  const Prediction* prediction = session_ ? session_->prediction() : nullptr;
-  if (prediction == nullptr) return std::nullopt;
-  if (chosen_question_ && *chosen_question_ < prediction->questions().size()) return chosen_question_;
-  return prediction->open();
-}
-
-void Player::choose_question(std::size_t question) {
-  chosen_question_ = question;
-  draft_ = {};
-}
-
-void Player::set_draft(std::size_t number, std::string text) {
-  const auto question = asked();
-  if (!question) return;
-  if (draft_.question != *question) draft_ = {*question, {}, {}, false};
-  if (draft_.numbers.size() <= number) draft_.numbers.resize(number + 1);
-  draft_.numbers[number] = std::move(text);
-  draft_.problem.clear();
-}
-
-bool Player::hides(std::string_view value) const {
-  const Prediction* prediction = session_ ? session_->prediction() : nullptr;
-  if (prediction == nullptr) return false;
-  for (const Question& question : prediction->questions())
-    if (question.name == value) return prediction->veiled(question.step);
-  return false;
-}
-
-void Player::submit_draft() {
-  const auto question = asked();
-  if (!question) return;
-  if (draft_.question != *question) draft_ = {*question, {}, {}, false};
-  Prediction& prediction = *session_->prediction();
-  if (auto problem = prediction.answer(*question, draft_.numbers)) {
-    draft_.problem = std::move(*problem);
-    draft_.wants_keyboard = true;
-    return;
-  }
-  chosen_question_.reset();
-  draft_ = {};
-  draft_.wants_keyboard = true;
-  to_keep_ = true;
-  const std::uint32_t step = prediction.questions()[*question].step;
-  if (!prediction.veiled(step) && session_->step() < step) seek(step);
-}
-
 // ---- saving ---------------------------------------------------------------------------------------------------------
 
 void Player::save_lesson(const fs::path& file, const std::string& id, const std::string& title) {
@@ -309,6 +265,7 @@ void Player::save_answers(const fs::path& file) {
   if (!session_ || session_->prediction() == nullptr) return;
   const auto saved = write_file(file, session_->prediction()->answers_file());
   if (!saved) return show_problems("The answers could not be saved", saved.diagnostics);
+  saved_answers_ = session_->prediction()->answers_file();
   notice("Saved as " + printable(file.string()));
 }
 
@@ -317,6 +274,31 @@ void Player::save_answers(const fs::path& file) {
 void Player::step_changed() {
   motion_ = settings.reduced_motion ? 1 : 0;
   to_keep_ = true;
+}
+
+void Player::settle() {
+  if (!session_) {
+    linked_.reset();
+    hovered_ = focused = {};
+    return;
+  }
+  const auto now = session_->shared_recording();
+  if (linked_ && linked_ != now) {
+    for (Link* link : {&hovered_, &focused}) {
+      if (link->kind == Link::Kind::phase) *link = {};
+      if (link->kind != Link::Kind::value) continue;
+      const auto v =
+          link->id < linked_->graph().value_count() ? now->graph().find(linked_->graph().name(link->id)) : std::nullopt;
+      *link = v ? Link{Link::Kind::value, *v} : Link{};
+    }
+    std::erase_if(open_phases, [&](std::uint32_t phase) { return phase >= now->graph().phases().size(); });
+    curve = std::min(curve, std::max<std::size_t>(now->source().curves.size(), 1) - 1);
+  }
+  linked_ = now;
+}
+
+void Player::seek_value(ValueId v) {
+  if (session_ && v < session_->recording().graph().value_count()) seek(session_->recording().graph().value(v).step);
 }
 
 void Player::seek(std::uint32_t step) {
@@ -400,11 +382,19 @@ void Player::look_at_disk() {
         std::move(document.diagnostics));
     return;
   }
+  // What is held was of the file as it was.
+  if (held_) {
+    session_->end_gesture();
+    held_ = Held{StuckGrip{}, {}, {}, true, true};
+  }
+  const bool other = document->algorithm != &session_->algorithm();
   if (auto wrong = session_->reload(std::move(*document)); !wrong.empty()) {
     show_problems(printable(file.filename().string()) + " was changed and cannot be run", std::move(wrong));
     return;
   }
   dismiss_problems();
+  if (other) forget_what_was_about();
+  settle();
   after_edit();
   notice("The file was changed on disk and is loaded again.");
 }
@@ -429,13 +419,13 @@ const Progress* Player::progress(const fs::path& file) const {
 void Player::keep() {
   to_keep_ = false;
   remember_progress();
-  if (options_.places.config.empty()) return;
   Diagnostics wrong;
   const auto note = [&](const Checked<bool>& saved) {
     wrong.insert(wrong.end(), saved.diagnostics.begin(), saved.diagnostics.end());
   };
-  if (!(settings == kept_settings_)) note(save_settings(options_.places, settings));
+  if (!options_.places.config.empty() && !(settings == kept_settings_)) note(save_settings(options_.places, settings));
   kept_settings_ = settings;
+  if (options_.places.state.empty()) return;
   note(save_progress(options_.places, progress_));
   if (session_ && session_->unsaved()) {
     const Document& document = session_->document();

@@ -67,7 +67,7 @@ class Player {
   bool wants_to_quit() const { return quit_; }
   const Shelf* shelf() const { return shelf_.get(); }
   const std::vector<Autosave>& lost_work() const { return lost_; }
-  void recover(std::size_t which);
+  void recover(std::size_t which);  // asks first when other edits would be lost
   void forget_lost(std::size_t which);
 
   // What is wrong with a file: shown as a list until it is right or put away.
@@ -128,9 +128,13 @@ class Player {
     bool wants_keyboard = false;  // one goes on typing
   };
   const Draft& draft() const { return draft_; }
+  void start_predicting();                   // what hinders becomes the problems
   std::optional<std::size_t> asked() const;  // the question one is asked: chosen, or the first open one
-  void choose_question(std::size_t);
-  void set_draft(std::size_t number, std::string text);
+  void choose_question(std::size_t);         // its answer, if there is one, becomes the draft; when all is marked, the
+                                             // chosen one again: none
+  void choose_next_question(int by);         // by 1 or -1
+  void set_draft(std::size_t number, std::string text);  // "(16, 20)" is for this number and the next
+  void set_draft(std::vector<std::string> numbers);
   void keyboard_given() { draft_.wants_keyboard = false; }
   // A click on the picture is an answer while a point is asked that one does not see yet.
   bool asks_place() const;
@@ -140,7 +144,19 @@ class Player {
   std::optional<glm::dvec3> said_place(std::size_t question) const;
   // Whether the value of this name is a question that nothing on the screen may answer yet.
   bool hides(std::string_view value) const;
-  void submit_draft();  // the answer is given; where it is marked at once one sees the step
+  // Whether a value is one that is asked, or made after one that is, so that no copy of it may be had yet.
+  bool veils(ValueId) const;
+  void submit_draft();                           // the answer is given; where it is marked at once one sees the step
+  void show_me();                                // the answer to the question one is asked, likewise
+  std::optional<std::size_t> last_said() const;  // the question that was answered or shown last
+  void take_back_answer();
+  void put_back_answer();
+  // Before answers are lost, or open questions are given up, one is asked.
+  enum class Doubt : std::uint8_t { none, stop, finish };
+  Doubt doubt() const { return session_ && session_->prediction() != nullptr ? doubt_ : Doubt::none; }
+  void stop_predicting();
+  void finish_predicting();
+  void resolve_doubt(bool do_it);
 
   // ---- the window -------------------------------------------------------------------------------------------------
   Settings settings;  // changed freely; saved by and by
@@ -162,8 +178,10 @@ class Player {
   // Lets time pass; true if something that is seen changed. Looks at watched files and saves what is to be saved.
   bool advance(double seconds);
   bool animating() const;  // something moves: it wants frames
-  void step_changed();     // begins the step's motion; called by what moves
-  void keep();             // writes settings, progress and autosave now
+  // After anything was done: what is pointed at is looked up again where the run was recorded anew.
+  void settle();
+  void step_changed();  // begins the step's motion; called by what moves
+  void keep();          // writes settings, progress and autosave now
 
   // Moves in the timeline, with all that follows from it. While one predicts, not beyond an open question.
   template <class Move>
@@ -172,6 +190,7 @@ class Player {
     stay_before_question();
   }
   void seek(std::uint32_t step);
+  void seek_value(ValueId);  // the step that makes it
   // An edit, with all that follows from it.
   bool edit(Edited, const std::string& what, const std::string& gesture = {});
 
@@ -224,16 +243,26 @@ class Player {
   ViewSize view_size_{800, 500};
   double motion_ = 1;
 
+  void recover_now(std::size_t which);
+  void forget_what_was_about();
+  std::shared_ptr<const Recording> linked_;  // whose ids hovered_ and focused are
+
   struct Held {
     Grip grip;
     glm::dvec2 mouse{};
     GripKeys keys;
-    bool over = false;  // it was put back
+    bool over = false;   // it was put back
+    bool begun = false;  // it was moved
   };
   std::optional<Held> held_;
 
+  void forget_questions();
+  void go_on_after(std::size_t question);
+  void resolve_stop();
   Draft draft_;
-  std::optional<std::size_t> chosen_question_;
+  std::optional<std::size_t> chosen_question_, last_said_;
+  Doubt doubt_ = Doubt::none;
+  std::string saved_answers_;  // as they were saved last
 
   FileWatch watch_;
   double since_look_ = 0, since_keep_ = 0;

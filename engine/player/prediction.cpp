@@ -1,9 +1,11 @@
 #include "player/prediction.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
+#include <utility>
 
 #include "algorithms/selector.hpp"
 
@@ -70,10 +72,39 @@ std::optional<std::size_t> Prediction::open() const {
   return std::nullopt;
 }
 
+std::size_t Prediction::answered() const {
+  return static_cast<std::size_t>(std::ranges::count_if(attempts_, [](const auto& a) { return a.has_value(); }));
+}
+
 std::optional<std::size_t> Prediction::next_after(std::uint32_t step) const {
   for (std::size_t q = 0; q < questions_.size(); ++q)
     if (!attempts_[q] && questions_[q].step > step) return q;
   return std::nullopt;
+}
+
+bool Prediction::rebind(const TraceGraph& graph) {
+  for (Question& question : questions_) {
+    const auto value = graph.find(question.name);
+    if (!value) return false;
+    question.value = *value;
+    question.step = graph.value(*value).step;
+  }
+  return true;
+}
+
+void Prediction::carry_over(const Prediction& other) {
+  for (std::size_t q = 0; q < questions_.size(); ++q)
+    for (std::size_t o = 0; o < other.questions_.size(); ++o) {
+      const Question &mine = questions_[q], &theirs = other.questions_[o];
+      if (mine.name != theirs.name || mine.size != theirs.size || mine.form != theirs.form) continue;
+      attempts_[q] = other.attempts_[o];
+      line_guesses_[q] = other.line_guesses_[o];
+      was_shown_[q] = other.was_shown_[o];
+    }
+  undos_ = other.undos_;
+  shown_ = other.shown_;
+  finished_ = other.finished_;
+  mark_all();
 }
 
 bool Prediction::veiled(std::uint32_t step) const {
@@ -127,6 +158,15 @@ bool Prediction::undo() {
   ++undos_;
   mark_all();
   return true;
+}
+
+std::string Prediction::undo_what() const {
+  const Move& move = moves_[at_ - 1];
+  const std::string& name = questions_[move.question].name;
+  const bool line = move.line_before.has_value() != move.line_after.has_value() ||
+                    (move.line_before && move.line_before->picked != move.line_after->picked);
+  if (line) return "the line picked for " + name;
+  return (move.after && move.after->shown ? "what was shown of " : "the answer to ") + name;
 }
 
 bool Prediction::redo() {
@@ -183,6 +223,78 @@ std::string Prediction::answers_text(std::optional<std::size_t> instead, const s
   return "{\n  \"schema\": \"blossom.answers/1\",\n  \"exercise\": " + json_quote(exercise().id) +
          ",\n  \"answers\": {" + answers + (answers.empty() ? "" : "\n  ") + "}\n}\n";
 }
+
+// ---- in words -------------------------------------------------------------------------------------------------------
+
+namespace {
+
+constexpr std::size_t longest_reason = 300;
+
+std::vector<std::string> indices_of(const std::string& name) {
+  std::vector<std::string> indices;
+  const std::string own = name.substr(name.rfind('.') == std::string::npos ? 0 : name.rfind('.') + 1);
+  for (std::size_t open = own.find('['); open != std::string::npos; open = own.find('[', open + 1))
+    indices.push_back(own.substr(open + 1, own.find(']', open) - open - 1));
+  return indices;
+}
+
+// "the point i of level r" of P[1][2] is the point 2 of level 1. Only whole words are indices: not the i of "point".
+std::string filled(std::string_view meaning, const ValueSpec& spec, const std::vector<std::string>& indices) {
+  const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  std::string text;
+  for (std::size_t i = 0; i < meaning.size();) {
+    std::size_t end = i;
+    while (end < meaning.size() && is_letter(meaning[end])) ++end;
+    if (end == i) {
+      text += meaning[i++];
+      continue;
+    }
+    const std::string_view word = meaning.substr(i, end - i);
+    const auto index = static_cast<std::size_t>(std::ranges::find(spec.indices, word) - spec.indices.begin());
+    text += index < indices.size() && index < spec.indices.size() ? indices[index] : std::string(word);
+    i = end;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string asked_words(const Question& question, const StepSource& source) {
+  const ValueSpec* spec = source.spec(question.value);
+  std::string text = "What is " + question.name + "?";
+  if (spec != nullptr && !spec->meaning.empty())
+    text += " It is " + filled(spec->meaning, *spec, indices_of(question.name)) + ".";
+  return text;
+}
+
+std::string answer_words(const Question& question, const std::vector<std::string>& numbers) {
+  std::string list;
+  for (const std::string& number : numbers) list += (list.empty() ? "" : ", ") + number;
+  return question.name + " = " + (question.size == 1 ? list : "(" + list + ")");
+}
+
+std::string reason_words(const Question& question, const StepSource& source) {
+  const std::string formula = source.formula(question.value);
+  if (formula.empty() || formula.size() > longest_reason) return {};
+  const std::string numbers = source.numbers(question.value);
+  const bool with_numbers = !numbers.empty() && numbers != formula && numbers.size() <= longest_reason;
+  return question.name + " = " + formula + (with_numbers ? " = " + numbers : "");
+}
+
+std::vector<std::string> split_numbers(const std::string& text) {
+  std::vector<std::string> numbers;
+  std::string number;
+  for (const char c : text + ",") {
+    if (std::string_view(",; \t\r\n()[]").find(c) == std::string_view::npos) {
+      number += c;
+    } else if (!number.empty()) {
+      numbers.push_back(std::exchange(number, {}));
+    }
+  }
+  return numbers;
+}
+
+// ---- by a click -----------------------------------------------------------------------------------------------------
 
 std::vector<std::string> prefilled(const Question& question, const glm::dvec3& clicked, double unit) {
   if (question.kind != ValueKind::point || question.form != Form::affine) return {};

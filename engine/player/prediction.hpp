@@ -38,12 +38,18 @@ class Prediction {
   // `grader` is the exercise's own, or for a lesson one that practice_exercise() made.
   Prediction(std::shared_ptr<const Grader> grader, Marking marking, const TraceGraph&);
 
+  // After the run was recorded anew: the same questions in the new trace. False: one of them is no longer there.
+  bool rebind(const TraceGraph&);
+  // Takes over what was answered and counted by one whose exercise asks the same.
+  void carry_over(const Prediction&);
+
   const Exercise& exercise() const { return grader_->exercise(); }
   Marking marking() const { return marking_; }
   const std::vector<Question>& questions() const { return questions_; }  // by step
   const std::optional<Attempt>& attempt(std::size_t question) const { return attempts_[question]; }
   // The first question that is not answered; nothing when all are.
   std::optional<std::size_t> open() const;
+  std::size_t answered() const;  // how many, shown ones among them
   // The first unanswered question whose step comes after this one: what to ask before going on.
   std::optional<std::size_t> next_after(std::uint32_t step) const;
   // Whether going to this step would show the answer to an open question; of those marked at the end, to any.
@@ -61,6 +67,10 @@ class Prediction {
   // Takes back the last answer (or line, or "show me"; that it was shown stays counted), and puts it back.
   bool undo();
   bool redo();
+  bool can_undo() const { return at_ > 0; }
+  bool can_redo() const { return at_ < moves_.size(); }
+  std::size_t undo_question() const { return moves_[at_ - 1].question; }  // if there is something to undo
+  std::string undo_what() const;                                          // "the answer to P[1][2]"
   int undos() const { return undos_; }
   int shown() const { return shown_; }
 
@@ -99,6 +109,14 @@ class Prediction {
   bool finished_ = false;
   Grade grade_;  // of the answers as they are
 };
+
+// In words: "What is P[1][2]? It is the point 2 of level 1."; "P[1][2] = (0, 16)"; why it is that, with the formula, or
+// nothing where there is none that is short.
+std::string asked_words(const Question&, const StepSource&);
+std::string answer_words(const Question&, const std::vector<std::string>& numbers);
+std::string reason_words(const Question&, const StepSource&);
+// "0, 1/2 1" or "(0, 1/2, 1)": its numbers.
+std::vector<std::string> split_numbers(const std::string& text);
 
 // The numbers of a clicked place, rounded as finely as one pixel, `unit` in the world, can mean. Empty where a click is
 // no answer: numbers, lists, homogeneous coordinates.

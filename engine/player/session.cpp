@@ -1,5 +1,6 @@
 #include "player/session.hpp"
 
+#include <atomic>
 #include <chrono>
 
 namespace blossom {
@@ -70,7 +71,10 @@ void Session::take(std::shared_ptr<const Recording> recording) {
   const bool playing = timeline_ && timeline_->playing();
   recording_ = std::move(recording);
   timeline_ = std::move(timeline);
-  ++version_;
+  static std::atomic<std::uint64_t> versions{0};
+  version_ = ++versions;
+  // In decimals a run can have other steps than in fractions: knots that are equal there may differ here.
+  if (prediction_ && !prediction_->rebind(recording_->graph())) stop_prediction();
   timeline_->seek(place_again());
   if (playing && !timeline_->at_end()) timeline_->play();
   beats_ = document_.lesson ? recording_->beats(*document_.lesson) : std::vector<Beat>();
@@ -187,8 +191,14 @@ Diagnostics Session::reload(Document document) {
   saved_ = inputs();
   rejected_.clear();
   fields_.clear();
-  stop_prediction();
-  return record(inputs(), false);
+  const auto before = std::move(prediction_);
+  auto wrong = record(inputs(), false);
+  // The answers that were given stay where the same is asked still.
+  if (before && wrong.empty() && start_prediction().empty()) {
+    prediction_->carry_over(*before);
+    seek(place_again());
+  }
+  return wrong;
 }
 
 Diagnostics Session::start_prediction() {

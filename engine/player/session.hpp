@@ -21,10 +21,11 @@ class Session {
   const Inputs<Exact>& inputs() const { return history_.current(); }
   const Recording& recording() const { return *recording_; }
   std::shared_ptr<const Recording> shared_recording() const { return recording_; }
-  std::uint64_t version() const { return version_; }  // grows with every new recording
+  std::uint64_t version() const { return version_; }  // another one for every recording there ever was
   bool edited() const { return !(inputs() == document_.inputs); }
-  bool unsaved() const { return !(inputs() == saved_); }
+  bool unsaved() const { return !saved_ || !(inputs() == *saved_); }
   void mark_saved() { saved_ = inputs(); }
+  void mark_never_saved() { saved_.reset(); }  // what is open is nowhere but here
 
   // Where one is.
   const Timeline& timeline() const { return *timeline_; }
@@ -34,7 +35,10 @@ class Session {
   template <class Move>
   bool move(Move&& how) {
     const bool moved = how(*timeline_);
-    if (moved) remember_place();
+    if (moved) {
+      remember_place();
+      history_.end_gesture();  // what is typed or dragged after a step is an edit of its own
+    }
     return moved;
   }
   bool seek(std::uint32_t step) {
@@ -92,7 +96,7 @@ class Session {
 
   Document document_;
   History<Inputs<Exact>> history_;
-  Inputs<Exact> saved_;
+  std::optional<Inputs<Exact>> saved_;
   std::shared_ptr<const Recording> recording_;
   std::unique_ptr<Timeline> timeline_;
   std::vector<Beat> beats_;

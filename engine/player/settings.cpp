@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/scalar.hpp"
+#include "base/utf8.hpp"
 #include "lesson/document.hpp"
 #include "player/kept_file.hpp"
 
@@ -82,6 +83,16 @@ struct Bounding {
   }
 };
 
+// A name that is no UTF-8 cannot stand in a JSON file as it is.
+bool is_writable_name(const std::string& name) {
+  for (std::size_t i = 0; i < name.size();) {
+    const std::size_t length = utf8_length(name, i);
+    if (length == 0) return false;
+    i += length;
+  }
+  return true;
+}
+
 struct Writing {
   std::string text = "{\n  \"schema\": " + json_quote(settings_schema);
 
@@ -92,7 +103,8 @@ struct Writing {
   void number(const char* key, int value, int, int) { add(key, std::to_string(value)); }
   void files(const char* key, const std::vector<fs::path>& files) {
     std::string list;
-    for (const fs::path& file : files) list += (list.empty() ? "\n    " : ",\n    ") + json_quote(file.string());
+    for (const fs::path& file : files)
+      if (is_writable_name(file.string())) list += (list.empty() ? "\n    " : ",\n    ") + json_quote(file.string());
     add(key, list.empty() ? "[]" : "[" + list + "\n  ]");
   }
 };
@@ -192,6 +204,7 @@ ProgressMap merged(ProgressMap kept, const ProgressMap& ours) {
   std::int64_t now = duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
   for (const auto& [file, progress] : kept) now = std::max(now, progress.seen + 1);
   for (const auto& [file, progress] : ours) {
+    if (!is_writable_name(file)) continue;
     const auto other = kept.find(file);
     if (progress.seen != 0 && other != kept.end() && other->second.seen > progress.seen) continue;
     Progress& entry = kept[file] = progress;

@@ -51,7 +51,8 @@ Checked<ShelfItem> read_item(JsonDocument json, const fs::path& file, const std:
   auto recording = Recording::make(*document->algorithm, document->inputs, false);
   if (!recording) return recording.diagnostics;
   item.recording = std::move(*recording);
-  item.telling_step = most_telling_step(*item.recording);
+  // An exercise asks what the construction is.
+  if (document->kind != Document::Kind::exercise) item.telling_step = most_telling_step(*item.recording);
   return item;
 }
 

@@ -129,6 +129,24 @@ const std::map<std::string, SessionReader, std::less<>>& of_session() {
   return readers;
 }
 
+// What one is asked, and what is written in its fields.
+std::optional<std::string> of_question(const Player& player, const std::string& key) {
+  const auto asked = player.asked();
+  if (key == "doubt") {
+    const Player::Doubt doubt = player.doubt();
+    return doubt == Player::Doubt::none ? "none" : (doubt == Player::Doubt::stop ? "stop" : "finish");
+  }
+  if (!asked) return std::nullopt;
+  if (key == "asked") return player.session()->prediction()->questions()[*asked].name;
+  if (key == "draft") {
+    std::string text;
+    if (player.draft().question == *asked)
+      for (const std::string& number : player.draft().numbers) text += (text.empty() ? "" : " ") + number;
+    return text;
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> of_prediction(const Session& session, const std::string& key) {
   const Prediction* prediction = session.prediction();
   if (prediction == nullptr) return std::nullopt;
@@ -197,6 +215,7 @@ std::optional<std::string> state_of(Player& player, const std::string& key) {
     return at ? std::optional(number(at->x) + " " + number(at->y)) : std::nullopt;
   }
   if (auto found = of_prediction(session, key)) return found;
+  if (auto found = of_question(player, key)) return found;
   return of_inputs(player, key);
 }
 
@@ -205,8 +224,8 @@ std::vector<std::string> state_keys() {
   for (const auto& [key, reader] : of_player()) keys.push_back(key);
   for (const auto& [key, reader] : of_open()) keys.push_back(key);
   for (const auto& [key, reader] : of_session()) keys.push_back(key);
-  for (const char* key : {"question", "answered", "verdicts", "finished", "score", "shown", "undos", "u", "degree",
-                          "points", "kind-of-curve", "knots"})
+  for (const char* key : {"question", "answered", "verdicts", "asked", "draft", "doubt", "finished", "score", "shown",
+                          "undos", "u", "degree", "points", "kind-of-curve", "knots"})
     keys.emplace_back(key);
   return keys;
 }

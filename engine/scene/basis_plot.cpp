@@ -136,15 +136,14 @@ void add_spot(Sheet& sheet, const Box& box, int i, const std::string& name) {
 // Where a name may stand, from its peak downwards.
 constexpr double beside_peak[] = {-5, -17, 15, 27, -29, 39};
 
-// A name at each peak that has room for it: those that count at u first.
+// A name at each peak that has room for it, beside the markers at u (`taken`): those that count at u first.
 void add_labels(Sheet& sheet, const std::vector<Function>& functions, const Plot& plot, bool with_u, double left,
-                double right) {
+                double right, std::vector<Box> taken) {
   const bool many = functions.size() > most_labels;
   std::vector<const Function*> order;
   for (const Function& f : functions)
     if (f.peak > least_peak && (f.value || !with_u || !many)) order.push_back(&f);
   std::ranges::stable_sort(order, {}, [](const Function* f) { return !f->value; });
-  std::vector<Box> taken;
   for (const Function* f : order) {
     const Role role = f->value || !with_u ? Role::text : Role::text_quiet;
     const double size = label_size;
@@ -281,7 +280,11 @@ double add_basis(Sheet& sheet, const StepSource& source, std::uint32_t, const Em
                                 dot});
     add_bar(sheet, functions, plot, axis->right + bar_gap, x + width - 2);
   }
-  add_labels(sheet, functions, plot, u, axis->left - 2, axis->right + 6);
+  std::vector<Box> dots;
+  if (u)
+    for (const Function& f : functions)
+      if (f.value) dots.push_back({axis->place(at) - 5, plot.place(std::clamp(*f.value, -0.06, 1.06)) - 5, 10, 10});
+  add_labels(sheet, functions, plot, u, axis->left - 2, axis->right + 6, std::move(dots));
   return height;
 }
 

@@ -89,7 +89,9 @@ Camera zoomed(const Camera& camera, ViewSize size, glm::dvec2 at, double factor)
   if (camera.kind == Camera::Kind::page || !(factor > 0)) return camera;
   const Lens lens(camera, size);
   Camera moved = lens.camera();
-  moved.height = std::clamp(moved.height / factor, least_height, most_height);
+  // A picture that is larger or smaller than that by itself may come back, but go no further.
+  moved.height = std::clamp(moved.height / factor, std::min(least_height, moved.height),
+                            std::max(most_height, moved.height));
   // The plane through the centre is seen without perspective, and is scaled about the point.
   const glm::dvec3 still = *lens.back(at, 0);
   moved.centre = still + moved.height / lens.camera().height * (moved.centre - still);

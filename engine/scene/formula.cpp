@@ -39,7 +39,9 @@ double add_formula(Sheet& sheet, const StepSource& source, std::uint32_t step, d
   const std::string numbers = source.numbers(v);
   const std::string value = shortened(source.value_text(v));
 
-  RichText result = typeset_name(source.graph->value(v).name, algorithm);
+  const std::string own = source.own_name(v);
+  RichText result = own.find('.') == std::string::npos ? typeset_name(source.graph->value(v).name, algorithm)
+                                                       : typeset_text(own, algorithm);
   result.push_back({" = " + value});
   const std::size_t letters = characters(result) + 2;
   const double size = lines_of(letters, width, 14 * 1.05) > 2 ? 0.85 : 1.05;

@@ -3,15 +3,17 @@
 
 #include "scene/panel_parts.hpp"
 #include "scene/panels.hpp"
+#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {
 
 using parts::Box;
 
-constexpr double margin = 40;                          // left and right of the axis
-constexpr double line_at = knot_line_at, height = 56;  // of the line in the panel; of the panel
-constexpr std::array<double, 2> label_rows{19, 28.5};  // below the line
+constexpr double margin = 40;                                        // left and right of the axis
+constexpr double line_at = knot_line_at, height = knot_line_height;  // of the line in the panel; of the panel
+constexpr double result_at = 63;                                     // of the second line in the panel
+constexpr std::array<double, 2> label_rows{19, 28.5};                // below the line
 constexpr double label_size = 0.72;
 constexpr double reach = 8;  // of a knot's spot around the line
 
@@ -79,8 +81,8 @@ std::vector<PlacedLabel> placed(const std::vector<Knot>& knots, int rows, double
 }
 
 // In a second row where one is not enough; and where two are not, in one row, as many as there is room for.
-void set_labels(View& view, const std::vector<Knot>& knots, double line, double left, double right) {
-  auto labels = placed(knots, 2, left, right);
+void set_labels(View& view, const std::vector<Knot>& knots, double line, double left, double right, int most_rows) {
+  auto labels = placed(knots, most_rows, left, right);
   if (std::ranges::any_of(labels, [](const PlacedLabel& label) { return label.row < 0; }))
     labels = placed(knots, 1, left, right);
   for (std::size_t i = 0; i < knots.size(); ++i)
@@ -131,7 +133,59 @@ void add_spots(Sheet& sheet, const std::vector<Knot>& knots, const std::optional
   if (u) sheet.spots.push_back({{Link::Kind::parameter, 0}, u->x, u->y, u->width, u->height, "u"});
 }
 
+// The texts of a list "(0, 1/2, 1)".
+std::vector<std::string> elements(std::string_view list) {
+  std::vector<std::string> found;
+  list = list.substr(1, list.size() - 2);
+  for (std::size_t at = 0; at < list.size();) {
+    const std::size_t end = std::min(list.find(", ", at), list.size());
+    found.emplace_back(list.substr(at, end - at));
+    at = end + 2;
+  }
+  return found;
+}
+
+// The knot vector of the result, over the same axis.
+void add_result(Sheet& sheet, const StepSource& source, ValueId v, const Emphasis& emphasis, const KnotAxis& axis,
+                double x, double y, double width) {
+  View& view = sheet.view;
+  const double line = y + result_at;
+  const std::vector<double> values = source.raw(v);
+  const std::vector<std::string> texts = elements(source.value_text(v));
+  const ValueRecord& record = source.graph->value(v);
+  const bool lit = emphasis.lights(v), now = source.graph->main_value(record.step) == v;
+  parts::text(view, x, line + 4, typeset_name(record.name, source.algorithm_at(record.step)),
+              lit ? Role::highlight : Role::text_quiet, 0.9);
+  parts::stroke(view, {{axis.left, line, 0}, {axis.right, line, 0}}, now ? Role::polygon : Role::rule_line);
+  std::vector<Knot> knots;
+  for (std::size_t i = 0; i < values.size(); i += knots.back().count) {
+    Knot knot{i, 1, axis.place(values[i]), {}};
+    while (i + knot.count < values.size() && values[i + knot.count] == values[i]) ++knot.count;
+    const bool is_short = i < texts.size() && texts[i].size() <= 8;
+    knot.label = {{std::to_string(knot.count) + "(" + (is_short ? texts[i] : format_short(values[i], 4)) + ")"}};
+    view.markers.push_back(
+        {{knot.at, line, 0}, lit ? Role::highlight : Role::control_point, Marker::Shape::triangle, 0.9});
+    knots.push_back(std::move(knot));
+  }
+  set_labels(view, knots, line, x, x + width, 1);
+  sheet.spots.push_back(
+      {{Link::Kind::value, v}, x, line - 7, width, y + knot_lines_height - line + 7, source.graph->name(v)});
+}
+
 }  // namespace
+
+ValueId resulting_knots(const StepSource& source, std::uint32_t step) {
+  const TraceGraph& graph = *source.graph;
+  if (source.curves.size() != 1 || graph.step_count() == 0) return absent;
+  const auto& knots = source.curves[0].knots;
+  for (ValueId v = graph.values_of(std::min(step, graph.step_count() - 1)).second; v-- > 0;) {
+    const ValueRecord& record = graph.value(v);
+    if (record.kind != ValueKind::list || record.rule == nullptr || !graph.scope(v).empty()) continue;
+    const std::vector<double> made = source.raw(v);
+    if (!made.empty() && made.front() >= knots.front() && made.back() <= knots.back()) return v;
+  }
+  return absent;
+}
 
 std::optional<KnotAxis> knot_axis(const StepSource& source, std::size_t curve, double x, double width) {
   if (curve >= source.curves.size()) return std::nullopt;
@@ -141,7 +195,7 @@ std::optional<KnotAxis> knot_axis(const StepSource& source, std::size_t curve, d
 }
 
 double add_knot_line(Sheet& sheet, const StepSource& source, std::uint32_t step, const Emphasis& emphasis, double x,
-                     double y, double width, std::size_t which, bool always) {
+                     double y, double width, std::size_t which, bool always, bool result) {
   const auto axis = knot_axis(source, which, x, width);
   if (!axis || (source.curves[which].bezier && !always)) return 0;
   const auto& curve = source.curves[which];
@@ -167,7 +221,9 @@ double add_knot_line(Sheet& sheet, const StepSource& source, std::uint32_t step,
     view.markers.push_back({{knot.at, line, 0}, Role::control_point, Marker::Shape::triangle, 0.9});
     knots.push_back(std::move(knot));
   }
-  set_labels(view, knots, line, x, x + width);
+  const ValueId made = result ? resulting_knots(source, step) : absent;
+  set_labels(view, knots, line, x, x + width, made == absent ? 2 : 1);
+  if (made != absent) add_result(sheet, source, made, emphasis, *axis, x, y, width);
   add_ratio(view, source, step, *axis, line);
 
   std::optional<Box> handle;
@@ -183,7 +239,7 @@ double add_knot_line(Sheet& sheet, const StepSource& source, std::uint32_t step,
     handle = Box{at - 9, y, 18, line_at + reach};
   }
   add_spots(sheet, knots, handle, y, line);
-  return height;
+  return made == absent ? height : knot_lines_height;
 }
 
 }  // namespace blossom

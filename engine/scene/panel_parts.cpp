@@ -1,6 +1,8 @@
 #include "scene/panel_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "base/utf8.hpp"
 
@@ -174,6 +176,26 @@ std::string other_share(const std::string& share, double value) {
   if (share.find('/') != std::string::npos)
     if (const auto exact = Exact::parse(share)) return (Exact(1) - *exact).to_string();
   return format_short(1 - value, 4);
+}
+
+std::string share_text(const StepSource& source, double share) {
+  constexpr long most_denominator = 999;
+  const std::string decimal = format_short(share, 3);
+  if (!source.exact) return decimal;
+  // The convergents of its continued fraction: what is a fraction of small numbers is found after a few.
+  double rest = std::abs(share);
+  long p = 1, q = 0, p_before = 0, q_before = 1;
+  for (int i = 0; i < 12 && rest < 1e4; ++i) {
+    const long whole = static_cast<long>(rest);
+    p_before = std::exchange(p, whole * p + p_before);
+    q_before = std::exchange(q, whole * q + q_before);
+    if (q > most_denominator) break;
+    if (std::abs(static_cast<double>(p) - std::abs(share) * static_cast<double>(q)) < 1e-9 * static_cast<double>(q))
+      return (share < 0 ? "-" : "") + std::to_string(p) + (q == 1 ? "" : "/" + std::to_string(q));
+    if (rest - static_cast<double>(whole) < 1e-12) break;
+    rest = 1 / (rest - static_cast<double>(whole));
+  }
+  return "≈ " + decimal;
 }
 
 }  // namespace blossom::parts

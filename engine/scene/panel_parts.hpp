@@ -46,6 +46,9 @@ double heading(View&, double x, double y, const std::string& words);
 // The other share of a division, in the manner of the first: 3/5 beside 2/5.
 std::string other_share(const std::string& share, double value);
 
+// How much of a value came from another one: as a fraction where the run is exact and a short one fits.
+std::string share_text(const StepSource&, double share);
+
 // The role of the i-th of several things of one kind. Five, for a cubic curve has four basis functions in each span.
 inline constexpr int cycle_length = 5;
 inline Role cycle(int i) {

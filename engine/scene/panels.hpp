@@ -34,6 +34,10 @@ struct TableauSize {
 };
 TableauSize add_tableau(Sheet&, const StepSource&, std::uint32_t step, const Emphasis&, double x, double y,
                         const TableauOptions&);
+// Where there is none: the values that the part of the run around the step has made so far, the last ones of many, as
+// rows "name = value" with the step's own marked. Spots: the rows.
+TableauSize add_value_table(Sheet&, const StepSource&, std::uint32_t step, const Emphasis&, double x, double y,
+                            double width);
 // The same scheme as LaTeX (an array environment, values as fractions or decimals as the run shows them).
 std::string latex_tableau(const StepSource&, std::uint32_t step);
 // A value as LaTeX: P_{4}^{(1)} = \left(\tfrac{3}{5},\ 2\right)
@@ -53,9 +57,14 @@ std::optional<KnotAxis> knot_axis(const StepSource&, std::size_t curve, double x
 
 // The knots of an input curve as multiplicity(value) on a line, with the domain, u, its span once it is known, and what
 // a ratio measures. Spots: the knots, u. Nothing without knots (`always`: also for a Bezier curve's 0 and 1).
-inline constexpr double knot_line_at = 26;  // below y, where the line is
+// With `result`, the knot vector that the run makes of them has a second line, once it is there.
+inline constexpr double knot_line_at = 26;                              // below y, where the line is
+inline constexpr double knot_line_height = 56, knot_lines_height = 85;  // of one line; of two
 double add_knot_line(Sheet&, const StepSource&, std::uint32_t step, const Emphasis&, double x, double y, double width,
-                     std::size_t curve = 0, bool always = false);
+                     std::size_t curve = 0, bool always = false, bool result = false);
+// The value that the second line shows: a knot vector of the result; nothing where a run makes none, or of several
+// curves. The newest up to a step.
+ValueId resulting_knots(const StepSource&, std::uint32_t step);
 
 // The basis functions N_{i,p} (B_{i,p} of a Bezier curve, R_{i,p} of a rational one) over the same axis, told apart by
 // colour, dash and label; those that are not zero at u are loud, with a dot at u; beside them the bar at u: their

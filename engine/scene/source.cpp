@@ -59,6 +59,8 @@ StepSource make_source(const Narrator<S>& narrator) {
   source.value_text = [n](ValueId v) { return n->value_text(v); };
   source.made_text = [n](ValueId v) { return n->made_text(v); };
   source.formula = [n](ValueId v) { return n->formula(v); };
+  source.own_name = [n](ValueId v) { return n->own_name(v); };
+  source.operand_name = [n](ValueId v, ValueId o) { return n->operand_name(v, o); };
   source.numbers = [n](ValueId v) { return n->numbers(v); };
   source.polar = [n](ValueId v) { return n->polar(v); };
   source.phase_title = [n](std::uint32_t phase) { return n->phase_title(phase); };

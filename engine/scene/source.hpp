@@ -30,7 +30,8 @@ struct StepSource {
   // Text, from the narrator of the run's own scalar; valid as long as that narrator.
   std::function<const Algorithm&(std::uint32_t step)> algorithm_at;
   std::function<int(std::uint32_t step)> line;
-  std::function<std::string(ValueId)> value_text, made_text, formula, numbers, polar;
+  std::function<std::string(ValueId)> value_text, made_text, formula, own_name, numbers, polar;
+  std::function<std::string(ValueId, ValueId operand)> operand_name;  // as the formula has it
   std::function<std::string(std::uint32_t phase)> phase_title;
   std::function<std::string(std::uint32_t step)> text;  // the algorithm's own narration
   std::function<std::vector<double>(ValueId)> raw;      // a value's numbers, as a rule takes them

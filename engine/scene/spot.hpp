@@ -48,6 +48,7 @@ struct Emphasis {
   std::vector<ValueId> lit;                        // ascending: what one points at, has pinned, or follows
   std::vector<std::pair<ValueId, double>> shares;  // ascending: what the lit value came from, and with which weight
   int line = 0;                                    // of the pseudo-code; 0: none
+  bool quiet = false;                              // so many are lit that rings around them all would point at nothing
 
   bool empty() const { return lit.empty() && shares.empty() && line == 0; }
   bool lights(ValueId v) const { return std::binary_search(lit.begin(), lit.end(), v); }

@@ -140,7 +140,7 @@ struct Setter {
     const bool lit = emphasis.lights(v);
     if (share != 0 && !lit) {
       parts::fill(sheet.view, box, Role::highlight, 0.06 + 0.34 * std::min(std::abs(share), 1.0));
-      const std::string text = format_short(share, 3);
+      const std::string text = parts::share_text(source, share);
       const double size = layout.full ? 0.74 : 0.6;
       if (layout.full || layout.values)
         parts::text(sheet.view, box.right() - 3, box.y + 14 * size, {{text}}, Role::highlight, size,

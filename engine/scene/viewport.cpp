@@ -4,24 +4,20 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
+#include "scene/camera.hpp"
 #include "scene/grid.hpp"
+#include "scene/panel_parts.hpp"
 #include "scene/typeset.hpp"
 #include "scene/viewport_builder.hpp"
 
 namespace blossom {
 namespace {
 
-constexpr std::size_t most_labels = 80;    // beyond that only what the step is about is named
+constexpr std::size_t most_labels_plane = 80, most_labels_space = 24;  // beyond: only what the step is about
+constexpr std::size_t few_lit = 3;                                     // named wherever they are
 constexpr std::size_t most_points = 1500;  // beyond that what the step is not about is thinned out
 // Beyond that a net is drawn finer; of a finished surface, only its lines.
 constexpr std::ptrdiff_t most_net_points = 300;
-
-// The share of the far part of a divided segment, in the manner of the share of the near one: 3/5 beside 2/5.
-std::string other_share(const std::string& share, double value) {
-  if (share.find('/') != std::string::npos)
-    if (const auto exact = Exact::parse(share)) return (Exact(1) - *exact).to_string();
-  return format_short(1 - value, 4);
-}
 
 }  // namespace
 
@@ -36,16 +32,13 @@ std::optional<Division> ViewportBuilder::division_of_step() const {
   if (points.size() != 2) return std::nullopt;
   // a of Blend belongs to the second point, a of Elevate to the first.
   const bool merge = rule->polar == Polar::merge;
-  Division made{*source_.points[points[0]], *source_.points[points[1]], *source_.points[main_], 0, {}, merge};
+  Division made{*source_.points[points[0]], *source_.points[points[1]], *source_.points[main_], 0, {}, {}, merge};
   made.a = merge ? 1 - source_.scalars[from[0]] : source_.scalars[from[0]];
+  made.share = source_.value_text(from[0]);
+  made.other = parts::other_share(made.share, source_.scalars[from[0]]);
   const glm::dvec3 AB = made.B - made.A;
-  if (source_.rational && glm::length(AB) > 0) {
-    // Weights pull the point along: the picture shows where it really divides the segment.
-    made.a = glm::dot(made.M - made.A, AB) / glm::dot(AB, AB);
-    made.share = format_short(merge ? 1 - made.a : made.a, 4);
-  } else {
-    made.share = source_.value_text(from[0]);
-  }
+  // Weights pull the point along the segment; the shares are those of the formula all the same.
+  if (source_.rational && glm::length(AB) > 0) made.a = glm::dot(made.M - made.A, AB) / glm::dot(AB, AB);
   return made;
 }
 
@@ -162,20 +155,51 @@ void ViewportBuilder::add_points() {
       size *= 0.35;
     }
     view_.markers.push_back(marker(at, loud ? Role::current : role_of(d), size));
-    if (lit) add_ring(at, 1);
-    add_name(d, i, new_count > most_labels);
+    if (lit && !options_.emphasis.quiet) add_ring(at, 1);
+    add_name(d, i, new_count > most_labels());
   }
+}
+
+std::size_t ViewportBuilder::most_labels() const { return source_.spatial() ? most_labels_space : most_labels_plane; }
+
+bool ViewportBuilder::hidden(ValueId v) const {
+  const Lens lens(view_.camera, {view_.width, view_.height});
+  const Mesh& mesh = samples_.surface().mesh;
+  if (seen_.empty())
+    for (const glm::dvec3& at : mesh.positions) {
+      const auto seen = lens(at);
+      seen_.push_back(seen ? glm::dvec3{seen->x, seen->y, seen->z} : glm::dvec3{1e9, 1e9, -1e9});
+    }
+  const auto point = lens(place(v));
+  if (!point) return true;
+  const double nearer = point->z + 0.01 * view_.camera.height;  // a point on the surface is not behind it
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const glm::dvec3 &a = seen_[mesh.indices[i]], &b = seen_[mesh.indices[i + 1]], &c = seen_[mesh.indices[i + 2]];
+    if (std::max({a.z, b.z, c.z}) < nearer) continue;
+    if (std::max({a.x, b.x, c.x}) < point->x || std::min({a.x, b.x, c.x}) > point->x) continue;
+    if (std::max({a.y, b.y, c.y}) < point->y || std::min({a.y, b.y, c.y}) > point->y) continue;
+    // Barycentric: the triangle is small, so that its depth runs evenly over the view.
+    const double whole = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+    if (whole == 0) continue;
+    const double s = ((point->x - a.x) * (c.y - a.y) - (c.x - a.x) * (point->y - a.y)) / whole;
+    const double t = ((b.x - a.x) * (point->y - a.y) - (point->x - a.x) * (b.y - a.y)) / whole;
+    if (s >= 0 && t >= 0 && s + t <= 1 && a.z + s * (b.z - a.z) + t * (c.z - a.z) > nearer) return true;
+  }
+  return false;
 }
 
 void ViewportBuilder::add_name(const Drawable& d, std::size_t position, bool many_new) {
   const ValueId v = d.value;
   const bool now = made_now(v), loud = now && single_, read = read_now(v) && single_;
   // A long phase that is lit is no reason to name all of its values.
-  const bool lit = options_.emphasis.lit.size() <= most_labels && options_.emphasis.lights(v);
+  const std::size_t lit_count = options_.emphasis.lit.size();
+  const bool lit = lit_count <= most_labels_plane && options_.emphasis.lights(v);
   if (now && motion_ < 0.5) return;
+  // A name on the surface would seem to be that of a place on it.
+  if (surface_done_ && !loud && lit_count > few_lit && (hidden(v) || ++names_ > most_labels())) return;
   if (!lit) {
     if (!options_.labels || surface_done_ || (many_new && now)) return;
-    if (!now && !read && (shown_.size() > most_labels || !is_around(d))) return;
+    if (!now && !read && (shown_.size() > most_labels() || !is_around(d))) return;
     // Where several values are one point, the newest has its name there.
     for (std::size_t later = position + 1; later < shown_.size(); ++later)
       if (*source_.points[shown_[later]->value] == *source_.points[v]) return;
@@ -190,7 +214,7 @@ void ViewportBuilder::add_name(const Drawable& d, std::size_t position, bool man
   label.size_scale = loud ? 1.15 : 1;
   label.placement = Label::Placement::around;
   label.priority = lit ? 40 : (now ? 30 : (read ? 15 : (d.given ? 5 : 0)));
-  label.optional = !lit && !now && !read;
+  label.optional = !now && !read && !(lit && lit_count <= few_lit);
   view_.labels.push_back(std::move(label));
 }
 
@@ -224,9 +248,8 @@ void ViewportBuilder::add_division(const Division& d) {
       made.priority = 20;
       view_.labels.push_back(made);
     };
-    const std::string other = other_share(d.share, d.a);
-    if (d.a > 0) label(d.A, M, d.swapped ? other : d.share);
-    if (d.a < 1) label(M, d.B, d.swapped ? d.share : other);
+    if (d.a > 0) label(d.A, M, d.swapped ? d.other : d.share);
+    if (d.a < 1) label(M, d.B, d.swapped ? d.share : d.other);
     return;
   }
   // Extrapolation: M lies on the line beyond one of them.

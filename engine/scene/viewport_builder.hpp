@@ -22,12 +22,13 @@ inline Marker marker(const glm::dvec3& at, Role role, double size = 1, Marker::S
   return {at, role, shape, size};
 }
 
-// What the current step does to two points: A and B are divided at M, as the share a says.
+// What the current step does to two points: A and B are divided at M, where the share a of the segment lies before it.
+// The shares of the formula are a and 1 - a, too, but for a rational curve, whose weights move M.
 struct Division {
   glm::dvec3 A, B, M;
   double a = 0;
-  std::string share;
-  bool swapped = false;  // the share is that of the second part
+  std::string share, other;  // as the formula has them
+  bool swapped = false;      // the share is that of the second part
 };
 
 class ViewportBuilder {
@@ -100,6 +101,8 @@ class ViewportBuilder {
   void add_rows_along(bool rows);
   void add_points();
   void add_name(const Drawable&, std::size_t position, bool many_new);
+  std::size_t most_labels() const;
+  bool hidden(ValueId) const;  // behind the finished surface
   void add_shares();
   void add_lit_elsewhere();
   void add_step();
@@ -124,9 +127,11 @@ class ViewportBuilder {
   std::vector<ValueId> operands_;  // ascending
   bool single_ = false;
   std::optional<Division> division_;
-  std::vector<const Drawable*> shown_;  // by value
-  bool crowded_ = false;                // a net has very many points
-  int stride_ = 1;                      // of the first indices of a net that was thinned out
+  std::vector<const Drawable*> shown_;    // by value
+  bool crowded_ = false;                  // a net has very many points
+  std::size_t names_ = 0;                 // of points of the finished surface
+  int stride_ = 1;                        // of the first indices of a net that was thinned out
+  mutable std::vector<glm::dvec3> seen_;  // the surface's mesh in the view: x, y, and z toward the viewer
 };
 
 }  // namespace blossom

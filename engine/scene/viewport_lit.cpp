@@ -4,6 +4,7 @@
 
 #include "base/scalar.hpp"
 #include "scene/camera.hpp"
+#include "scene/panel_parts.hpp"
 #include "scene/typeset.hpp"
 #include "scene/viewport_builder.hpp"
 
@@ -45,7 +46,7 @@ void ViewportBuilder::add_shares() {
     if (kept.size() > most_share_texts) continue;
     Label label;
     label.anchor = share.at;
-    label.text = {{format_short(share.share, 3)}};
+    label.text = {{parts::share_text(source_, share.share)}};
     label.role = Role::text_quiet;
     label.size_scale = 0.9;
     label.placement = Label::Placement::around;

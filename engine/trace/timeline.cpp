@@ -110,7 +110,10 @@ void Timeline::set_speed(double steps_per_second) {
 }
 
 void Timeline::set_loop(std::uint32_t first, std::uint32_t last_step) {
+  first = std::min(first, last());
   last_step = std::min(last_step, last());
+  if (first > last_step) std::swap(first, last_step);
+  if (first == last_step) return clear_loop();  // one step is nothing to repeat
   loop_.emplace(std::min(first, last_step), last_step);
 }
 

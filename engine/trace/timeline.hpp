@@ -51,7 +51,7 @@ class Timeline {
   bool playing() const { return playing_; }
   void set_speed(double steps_per_second);  // above 0
   double speed() const { return speed_; }
-  void set_loop(std::uint32_t first, std::uint32_t last);
+  void set_loop(std::uint32_t first, std::uint32_t last);  // one step only: no loop
   void clear_loop() { loop_.reset(); }
   std::optional<std::pair<std::uint32_t, std::uint32_t>> loop() const { return loop_; }
   bool advance(double seconds);                  // while playing; true if the position changed

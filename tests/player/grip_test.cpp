@@ -140,7 +140,7 @@ TEST_CASE("what is computed cannot be dragged, and says so") {
   CHECK(std::get<PointGrip>(given).address() == fourth);
   const Grip made = grip_of_value(*session, *graph.find("P[1][3]"), plane(), page, {0, 0});
   REQUIRE(std::holds_alternative<StuckGrip>(made));
-  CHECK(std::get<StuckGrip>(made).why == "P[1][3] is computed; drag one of the control points it comes from.");
+  CHECK(std::get<StuckGrip>(made).why == "P₃⁽¹⁾ is computed; drag one of the control points it comes from.");
 }
 
 TEST_CASE("looking around pans, or turns") {

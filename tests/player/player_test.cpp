@@ -485,6 +485,67 @@ TEST_CASE("An answer is typed, refused while it has not the right shape, and tak
   CHECK(prediction.undos() == 1);
 }
 
+TEST_CASE("Show me shows the chosen question, and a lesson goes on to its step") {
+  World world;
+  Player& player = world.player();
+  open(player, "exercises/05-de-boor.json");
+  const Prediction& exercise = *player.session()->prediction();
+  const std::size_t last = exercise.questions().size() - 1;
+  player.choose_question(last);
+  player.show_me();
+  REQUIRE(exercise.attempt(last));
+  CHECK(exercise.attempt(last)->shown);
+  CHECK_FALSE(exercise.attempt(0));
+  CHECK(player.last_said() == last);
+  CHECK(player.asked() == std::size_t{0});
+  CHECK(player.session()->step() == 0);
+
+  open(player, de_boor);
+  player.start_predicting();
+  player.show_me();
+  CHECK(player.session()->step() == player.session()->prediction()->questions()[0].step);
+}
+
+TEST_CASE("Answers are lost, and open questions given up, only after one was asked") {
+  World world;
+  Player& player = world.player();
+  open(player, "exercises/05-de-boor.json");
+  player.set_draft(0, "4");
+  player.submit_draft();
+  player.stop_predicting();
+  CHECK(player.doubt() == Player::Doubt::stop);
+  player.resolve_doubt(false);
+  REQUIRE(player.session()->prediction() != nullptr);
+  CHECK(player.session()->prediction()->answered() == 1);
+  player.finish_predicting();
+  CHECK_FALSE(player.session()->prediction()->finished());
+  player.resolve_doubt(true);
+  CHECK(player.session()->prediction()->finished());
+  CHECK_FALSE(player.asked());
+  player.stop_predicting();
+  player.resolve_doubt(true);
+  CHECK(player.session()->prediction() == nullptr);
+  player.start_predicting();
+  player.stop_predicting();  // nothing is lost
+  CHECK(player.session()->prediction() == nullptr);
+}
+
+TEST_CASE("A pair that is typed into one field fills both, and an answer is seen again where its question is") {
+  World world;
+  Player& player = world.player();
+  open(player, "exercises/05-de-boor.json");
+  const Prediction& prediction = *player.session()->prediction();
+  const auto point = static_cast<std::size_t>(std::ranges::find(prediction.questions(), "P[1][3]", &Question::name) -
+                                              prediction.questions().begin());
+  player.choose_question(point);
+  player.set_draft(0, "(16, 20)");
+  CHECK(player.draft().numbers == std::vector<std::string>{"16", "20"});
+  player.submit_draft();
+  player.choose_question(point);
+  player.set_draft(1, "21");
+  CHECK(player.draft().numbers == std::vector<std::string>{"16", "21"});
+}
+
 TEST_CASE("An edit ends the prediction: its questions were about other numbers") {
   World world;
   Player& player = world.player();

@@ -5,6 +5,8 @@
 #include "algorithms/inputs.hpp"
 #include "algorithms/selector.hpp"
 #include "grader/helpers.hpp"
+#include "player/document.hpp"
+#include "player/recording.hpp"
 
 using namespace blossom;
 
@@ -471,4 +473,40 @@ TEST_CASE("practice can be had of any run, and its right answers are right") {
     }
     CHECK(prediction.grade()->score() == 1);
   });
+}
+
+TEST_CASE("a question says which of its kind is asked, an answer stands as one writes it") {
+  const auto document = open_document("lessons/01-de-casteljau.json");
+  REQUIRE(document);
+  const auto recording = Recording::make(*document->algorithm, document->inputs, true);
+  REQUIRE(recording);
+  const StepSource& source = (*recording)->source();
+  const Prediction prediction = predict(de_casteljau_grader());
+  const Question& point = prediction.questions()[question(prediction, "P[1][1]")];
+  CHECK(asked_words(point, source).starts_with("What is P[1][1]? It is the point 1 of level 1"));
+  CHECK(answer_words(point, {"0", "16"}) == "P[1][1] = (0, 16)");
+  CHECK(reason_words(point, source).starts_with("P[1][1] = (1 - u) P[0][1] + u P[0][2] = "));
+}
+
+TEST_CASE("numbers are split at commas, semicolons, blanks and brackets") {
+  CHECK(split_numbers("(16, 20)") == Texts{"16", "20"});
+  CHECK(split_numbers("0;1/2 1") == Texts{"0", "1/2", "1"});
+  CHECK(split_numbers("2/5") == Texts{"2/5"});
+  CHECK(split_numbers(" ( ) ").empty());
+}
+
+TEST_CASE("what undo would take back is named") {
+  auto prediction = predict(de_casteljau_grader(), Marking::at_end);
+  CHECK_FALSE(prediction.can_undo());
+  prediction.show_me(0);
+  CHECK(prediction.undo_what() == "what was shown of " + prediction.questions()[0].name);
+  prediction.guess_line(1, 2, 3);
+  CHECK(prediction.undo_what() == "the line picked for " + prediction.questions()[1].name);
+  CHECK(prediction.undo_question() == 1);
+  REQUIRE_FALSE(answer(prediction, "P[1][1]", {"1", "2"}));
+  CHECK(prediction.undo_what() == "the answer to P[1][1]");
+  CHECK(prediction.answered() == 2);
+  CHECK_FALSE(prediction.can_redo());
+  REQUIRE(prediction.undo());
+  CHECK(prediction.can_redo());
 }

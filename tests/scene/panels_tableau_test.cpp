@@ -154,7 +154,7 @@ TEST_CASE("What is lit has a strong outline; what it came from is tinted by its 
   CHECK(count_role(plain.view, Role::highlight) == 0);
   CHECK(std::ranges::count_if(lit.view.polylines,
                               [](const Polyline& line) { return line.closed && line.role == Role::highlight; }) == 1);
-  for (const char* share : {"0.04", "0.72", "0.24"}) CHECK(shows(lit, share));
+  for (const char* share : {"1/25", "18/25", "6/25"}) CHECK(shows(lit, share));
   const auto tint = [&](const char* name) {
     const Spot& spot = *spot_named(lit, name);
     double opacity = 0;

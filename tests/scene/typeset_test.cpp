@@ -46,7 +46,7 @@ TEST_CASE("A point of a triangular scheme has its index below and its level abov
 TEST_CASE("Other names have all their indices below, or none") {
   CHECK(set_name("k"_v(), "de_boor") == "*k*");
   CHECK(set_name("C"_v(), "de_boor") == "*C*");
-  CHECK(set_name("U"_v(7), "de_boor") == "*U*_{7}");
+  CHECK(set_name("U"_v(), "de_boor") == "*U*");
   CHECK(set_name("P"_v(2, 3), "skinning") == "*P*_{2,3}");  // row and column of a net: no level
 }
 
@@ -73,9 +73,34 @@ TEST_CASE("Words stay words") {
   CHECK(set("an unclosed [bracket and u_{").find("an unclosed [bracket and ") == 0);
 }
 
-TEST_CASE("The scope of a name is left out: the picture shows which part is meant") {
-  CHECK(set("raise[1].Q[2] is made", "skinning") == "*Q*_{2} is made");
-  CHECK(set("elevate[1].P[0][2]", "degree_elevation") == set("P[0][2]", "degree_elevation"));
+TEST_CASE("A single knot is a small u, as in the formulas of books") {
+  CHECK(set_name("U"_v(7), "de_boor") == "*u*_{7}");
+  CHECK(set_name("U"_v(1, 7), "skinning") == "*u*_{1,7}");
+  CHECK(set("U[3] = 0", "knot_insertion") == "*u*_{3} = 0");
+  CHECK(set_name("U"_v(7), "skinning") == "*U*_{7}");  // there it may also be the knot vector of a profile
+}
+
+TEST_CASE("The phase of a name stands before it") {
+  CHECK(set("raise[1].Q[2] is made", "skinning") == "raise_{1}.*Q*_{2} is made");
+  CHECK(set("elevate[1].P[0][2]", "degree_elevation") == "elevate_{1}." + set("P[0][2]", "degree_elevation"));
+  CHECK(set("a[1].b[2].Q[2]", "skinning") == "a_{1}.b_{2}.*Q*_{2}");
+}
+
+TEST_CASE("Basis functions and homogeneous coordinates are set as such") {
+  CHECK(set("N_(3,2)(v[3])", "skinning") == "*N*_{3,2}(*v*_{3})");
+  CHECK(set("(wx, wy) / w of P[2][0]", "de_casteljau") == "(*wx*, *wy*) / *w* of *P*_{0}^{(2)}");
+}
+
+TEST_CASE("In messages a name is one line of plain text") {
+  const auto plain = [](std::string_view text, std::string_view id) {
+    return unicode_text(typeset_text(text, algorithm(id)));
+  };
+  CHECK(plain("P[1][12] moved", "de_boor") == "P₁₂⁽¹⁾ moved");
+  CHECK(plain("P[0][3]", "de_boor") == "P₃");
+  CHECK(plain("alpha[2][3] and U[4]", "de_boor") == "α₃⁽²⁾ and u₄");
+  CHECK(plain("Q[1][2]", "skinning") == "Q₁,₂");
+  CHECK(plain("P[r][i], u_{k+1}", "de_boor") == "P_i^{(r)}, u_{k+1}");
+  CHECK(plain_name("Ubar"_v(), algorithm("knot_insertion")) == "Ū");
 }
 
 TEST_CASE("Text that goes in comes out, whatever it is") {

@@ -283,7 +283,7 @@ TEST_CASE("What weighs more has the larger ring, and a few have their shares wri
   CHECK(ring("P[0][1]") > 0);
   CHECK(ring("P[0][1]") < ring("P[0][2]"));
   CHECK(ring("P[0][2]") < ring("P[0][3]"));
-  for (const char* text : {"-0.25", "0.333", "0.9"}) {
+  for (const char* text : {"-1/4", "1/3", "9/10"}) {
     INFO(text);
     REQUIRE(label_of(view, text) != nullptr);
     CHECK(label_of(view, text)->role == Role::text_quiet);

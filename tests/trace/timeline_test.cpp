@@ -137,7 +137,9 @@ TEST_CASE("a range is played over and over", "[timeline]") {
   timeline.advance(100);
   CHECK(timeline.at_end());
   timeline.set_loop(9, 3);  // ends that are out of order or beyond the trace are moved into it
-  CHECK(timeline.loop() == std::pair<std::uint32_t, std::uint32_t>{3, 3});
+  CHECK(timeline.loop() == std::pair<std::uint32_t, std::uint32_t>{3, timeline.last()});
+  timeline.set_loop(3, 3);  // a single step is nothing to repeat
+  CHECK_FALSE(timeline.loop());
 }
 
 TEST_CASE("times and speeds that are none change nothing", "[timeline]") {

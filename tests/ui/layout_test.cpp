@@ -154,10 +154,54 @@ TEST_CASE("What is at the side of a large window becomes tabs in a small one") {
   Furniture room = furniture(random);
   for (auto& [panel, is] : room.relevant) is = true;
   const auto tabs = room.of(Slot::tabs).size(), side = room.of(Slot::side).size();
+  const auto strips_among = [&](const Layout& layout) {  // those that have no room below the picture
+    return static_cast<std::size_t>(
+        std::ranges::count(layout.tabbed, Slot::strip, [](const Panel* panel) { return panel->slot; }));
+  };
   CHECK(room.lay({1920, 1080}).tabbed.size() == tabs);
-  CHECK(room.lay({640, 360}).tabbed.size() == tabs + side);
-  CHECK(room.lay({480, 900}).tabbed.size() == tabs + side);
+  for (const auto& [width, height] : {std::pair(640, 360), {480, 900}}) {
+    const Layout layout = room.lay({static_cast<double>(width), static_cast<double>(height)});
+    CHECK(layout.tabbed.size() == tabs + side + strips_among(layout));
+  }
   CHECK(room.lay({480, 900}).side.width == 0);
+}
+
+TEST_CASE("What the panels above the tabs do not need is the tabs', unless one has put the border somewhere") {
+  std::mt19937 random(5);
+  Furniture room = furniture(random);
+  for (auto& [panel, is] : room.relevant) is = true;
+  for (auto& [panel, height] : room.heights) {
+    if (panel->id == "formula") height = 90;
+    if (panel->id == "pseudo_code") height = 160;
+  }
+  LayoutWish wish{1920, 1080, 0.4, 0.4};
+  const Layout free = room.lay(wish);
+  CHECK(placed(free, "formula").rect.height == Approx(90));
+  CHECK(placed(free, "pseudo_code").rect.height == Approx(160));
+  CHECK(free.tabs.height > 0.6 * free.side.height);
+  CHECK(free.tabs.bottom() == Approx(free.side.bottom()));
+  wish.lower_fixed = true;
+  CHECK(room.lay(wish).tabs.height == Approx(0.4 * free.side.height));
+}
+
+TEST_CASE("Where there is little room above the tabs, the first panel gives way, and keeps a third") {
+  std::mt19937 random(5);
+  Furniture room = furniture(random);
+  for (auto& [panel, is] : room.relevant) is = true;
+  const auto heights = [&](double first, double second) {  // by order: the formula, then the code
+    for (auto& [panel, height] : room.heights) {
+      if (panel->id == "formula") height = first;
+      if (panel->id == "pseudo_code") height = second;
+    }
+    const Layout layout = room.lay({1920, 1080, 0.4, 0.7, false, false});
+    CHECK(layout.tabs.height == Approx(0.7 * layout.side.height));
+    return std::pair(placed(layout, "formula").rect.height, placed(layout, "pseudo_code").rect.height);
+  };
+  const auto [code, result] = heights(600, 100);
+  CHECK(result == Approx(100));
+  CHECK(code < 600);
+  const auto [a, b] = heights(600, 600);
+  CHECK(a + 6 == Approx((a + b + 12) / 3));
 }
 
 TEST_CASE("In a low window the picture is a tab, too") {

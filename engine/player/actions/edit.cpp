@@ -1,6 +1,7 @@
 // Undo and redo, and how edits are made.
 #include "player/action.hpp"
 #include "player/player.hpp"
+#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {
@@ -9,100 +10,110 @@ bool is_open(const Player& p) { return p.session() != nullptr; }
 // While one predicts, undo is the answers'.
 bool predicts(const Player& p) { return is_open(p) && p.session()->prediction() != nullptr && !p.session()->edited(); }
 
+// "P[0][3] moved" with the name set as in books.
+std::string in_words(const Player& p, const std::string& what) {
+  return unicode_text(typeset_text(what, p.session()->algorithm()));
+}
+
 bool has_point(const Player& p) { return p.chosen_point().has_value(); }
 bool has_spatial_point(const Player& p) { return has_point(p) && p.session()->recording().source().spatial(); }
 
 }  // namespace
 
 const ActionGroup& actions_edit() {
-  static const ActionGroup group{
-      "Edit",
-      20,
-      {
-          {"edit.undo",
-           "Undo",
-           {"Ctrl+Z"},
-           [](Player& p) {
-             if (predicts(p))
-               p.session()->prediction()->undo();
-             else if (p.session()->undo())
-               p.notice("Undone: " + p.session()->history().redo_what());
-           },
-           [](const Player& p) { return is_open(p) && (predicts(p) || p.session()->history().can_undo()); }},
-          {"edit.redo",
-           "Redo",
-           {"Ctrl+Y", "Ctrl+Shift+Z"},
-           [](Player& p) {
-             if (predicts(p))
-               p.session()->prediction()->redo();
-             else if (p.session()->redo())
-               p.notice("Done again: " + p.session()->history().undo_what());
-           },
-           [](const Player& p) { return is_open(p) && (predicts(p) || p.session()->history().can_redo()); }},
-          {"edit.revert",
-           "Take back all edits",
-           {},
-           [](Player& p) { p.session()->revert(); },
-           [](const Player& p) { return is_open(p) && p.session()->edited(); }},
-          {"edit.nudge_left",
-           "Move the point left",
-           {"Shift+Left"},
-           [](Player& p) {
-             p.nudge({-1, 0, 0});
-           },
-           has_point},
-          {"edit.nudge_right",
-           "Move the point right",
-           {"Shift+Right"},
-           [](Player& p) {
-             p.nudge({1, 0, 0});
-           },
-           has_point},
-          {"edit.nudge_up",
-           "Move the point up",
-           {"Shift+Up"},
-           [](Player& p) {
-             p.nudge({0, 1, 0});
-           },
-           has_point},
-          {"edit.nudge_down",
-           "Move the point down",
-           {"Shift+Down"},
-           [](Player& p) {
-             p.nudge({0, -1, 0});
-           },
-           has_point},
-          {"edit.nudge_nearer",
-           "Move the point nearer",
-           {"Shift+PageDown"},
-           [](Player& p) {
-             p.nudge({0, 0, 1});
-           },
-           has_spatial_point},
-          {"edit.nudge_farther",
-           "Move the point away",
-           {"Shift+PageUp"},
-           [](Player& p) {
-             p.nudge({0, 0, -1});
-           },
-           has_spatial_point},
-          {"edit.insert_point",
-           "Add a point behind",
-           {"Insert"},
-           [](Player& p) { p.add_point_behind(*p.chosen_point()); },
-           has_point},
-          {"edit.delete_point",
-           "Delete this point",
-           {"Delete"},
-           [](Player& p) { p.remove_point(*p.chosen_point()); },
-           has_point},
-          {"edit.snap",
-           "Snap to the grid",
-           {"S"},
-           [](Player& p) { p.settings.snap = !p.settings.snap; },
-           nullptr,
-           [](const Player& p) { return p.settings.snap; }},
-      }};
+  static const ActionGroup group{"Edit",
+                                 20,
+                                 {
+                                     {"edit.undo",
+                                      "Undo",
+                                      {"Ctrl+Z"},
+                                      [](Player& p) {
+                                        if (predicts(p))
+                                          p.take_back_answer();
+                                        else if (p.session()->undo())
+                                          p.notice("Undone: " + in_words(p, p.session()->history().redo_what()));
+                                      },
+                                      [](const Player& p) {
+                                        return predicts(p) ? p.session()->prediction()->can_undo()
+                                                           : is_open(p) && p.session()->history().can_undo();
+                                      }},
+                                     {"edit.redo",
+                                      "Redo",
+                                      {"Ctrl+Y", "Ctrl+Shift+Z"},
+                                      [](Player& p) {
+                                        if (predicts(p))
+                                          p.put_back_answer();
+                                        else if (p.session()->redo())
+                                          p.notice("Done again: " + in_words(p, p.session()->history().undo_what()));
+                                      },
+                                      [](const Player& p) {
+                                        return predicts(p) ? p.session()->prediction()->can_redo()
+                                                           : is_open(p) && p.session()->history().can_redo();
+                                      }},
+                                     {"edit.revert",
+                                      "Take back all edits",
+                                      {},
+                                      [](Player& p) { p.session()->revert(); },
+                                      [](const Player& p) { return is_open(p) && p.session()->edited(); }},
+                                     {"edit.nudge_left",
+                                      "Move the point left",
+                                      {"Shift+Left"},
+                                      [](Player& p) {
+                                        p.nudge({-1, 0, 0});
+                                      },
+                                      has_point},
+                                     {"edit.nudge_right",
+                                      "Move the point right",
+                                      {"Shift+Right"},
+                                      [](Player& p) {
+                                        p.nudge({1, 0, 0});
+                                      },
+                                      has_point},
+                                     {"edit.nudge_up",
+                                      "Move the point up",
+                                      {"Shift+Up"},
+                                      [](Player& p) {
+                                        p.nudge({0, 1, 0});
+                                      },
+                                      has_point},
+                                     {"edit.nudge_down",
+                                      "Move the point down",
+                                      {"Shift+Down"},
+                                      [](Player& p) {
+                                        p.nudge({0, -1, 0});
+                                      },
+                                      has_point},
+                                     {"edit.nudge_nearer",
+                                      "Move the point nearer",
+                                      {"Shift+PageDown"},
+                                      [](Player& p) {
+                                        p.nudge({0, 0, 1});
+                                      },
+                                      has_spatial_point},
+                                     {"edit.nudge_farther",
+                                      "Move the point away",
+                                      {"Shift+PageUp"},
+                                      [](Player& p) {
+                                        p.nudge({0, 0, -1});
+                                      },
+                                      has_spatial_point},
+                                     {"edit.insert_point",
+                                      "Add a point behind",
+                                      {"Insert"},
+                                      [](Player& p) { p.add_point_behind(*p.chosen_point()); },
+                                      has_point},
+                                     {"edit.delete_point",
+                                      "Delete this point",
+                                      {"Delete"},
+                                      [](Player& p) { p.remove_point(*p.chosen_point()); },
+                                      has_point},
+                                     {"edit.snap",
+                                      "Snap to the grid",
+                                      {"S"},
+                                      [](Player& p) { p.settings.snap = !p.settings.snap; },
+                                      nullptr,
+                                      [](const Player& p) { return p.settings.snap; }},
+                                 }};
   return group;
 }
 

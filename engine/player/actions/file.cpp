@@ -40,6 +40,7 @@ const ActionGroup& actions_file() {
            "Copy the scheme as LaTeX",
            {"Ctrl+L"},
            [](Player& p) {
+             if (p.hides("k")) return p.notice("The scheme can be copied when k is answered.");
              const auto text = latex_tableau(p.session()->recording().source(), p.session()->step());
              if (text.empty()) return p.notice("This step has no triangular scheme.");
              p.desk().set_clipboard(text);
@@ -54,7 +55,10 @@ const ActionGroup& actions_file() {
              Link link = p.pinned();
              if (link.kind != Link::Kind::value)
                link = {Link::Kind::value, recording.graph().main_value(p.session()->step())};
-             if (link.id == absent) return p.notice("This step makes no value.");
+             const bool given = link.id != absent && recording.graph().is_input(link.id);
+             if (link.id == absent || (given && link != p.pinned()))
+               return p.notice("This step makes no value. Click one to choose it.");
+             if (p.veils(link.id)) return p.notice("That is still asked.");
              const std::string text = recording.source().value_text(link.id);
              p.desk().set_clipboard(text);
              p.notice("Copied: " + text);

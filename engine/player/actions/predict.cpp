@@ -7,6 +7,12 @@ namespace {
 
 bool is_open(const Player& p) { return p.session() != nullptr; }
 bool predicts(const Player& p) { return is_open(p) && p.session()->prediction() != nullptr; }
+bool can_show(const Player& p) {
+  const auto question = p.asked();
+  if (!question || p.session()->prediction()->mark(*question)) return false;
+  const auto& attempt = p.session()->prediction()->attempt(*question);
+  return !attempt || !attempt->shown;
+}
 
 }  // namespace
 
@@ -19,26 +25,25 @@ const ActionGroup& actions_predict() {
            "Predict the steps",
            {"Ctrl+T"},
            [](Player& p) {
-             if (predicts(p)) return p.session()->stop_prediction();
-             if (auto wrong = p.session()->start_prediction(); !wrong.empty())
-               return p.show_problems("There is nothing to predict here", std::move(wrong));
-             p.tab = p.focus = "predict";
+             if (predicts(p))
+               p.stop_predicting();
+             else
+               p.start_predicting();
            },
            is_open,
            predicts},
-          {"predict.show_me",
-           "Show me",
-           {"Ctrl+H"},
-           [](Player& p) {
-             Prediction& prediction = *p.session()->prediction();
-             if (const auto question = prediction.open()) prediction.show_me(*question);
-           },
-           [](const Player& p) { return predicts(p) && p.session()->prediction()->open().has_value(); }},
+          {"predict.show_me", "Show me", {"Ctrl+H"}, [](Player& p) { p.show_me(); }, can_show},
           {"predict.finish",
            "Finish and mark",
-           {},
-           [](Player& p) { p.session()->prediction()->finish(); },
+           {"Ctrl+Enter"},
+           [](Player& p) { p.finish_predicting(); },
            [](const Player& p) { return predicts(p) && !p.session()->prediction()->finished(); }},
+          {"predict.next", "Next question", {"Alt+PageDown"}, [](Player& p) { p.choose_next_question(1); }, predicts},
+          {"predict.previous",
+           "Previous question",
+           {"Alt+PageUp"},
+           [](Player& p) { p.choose_next_question(-1); },
+           predicts},
       }};
   return group;
 }

@@ -21,8 +21,9 @@ void draw(Ui& ui) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const double width = ui.units(room.x), height = ui.units(room.y);
   Sheet sheet;
-  add_basis(sheet, session.recording().source(), session.step(), player.emphasis(), left, 0, width - left, height,
-            curve_of(player), !player.hides("k"));
+  add_basis(sheet, session.recording().source(), session.step(),
+            player.emphasis().quiet ? Emphasis{} : player.emphasis(), left, 0, width - left, height, curve_of(player),
+            !player.hides("k"));
   ui.sheet("basis", std::move(sheet), width, height);
 }
 

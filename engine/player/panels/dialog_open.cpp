@@ -62,7 +62,9 @@ fs::path first_folder(const Player& player) {
 }
 
 void enter(Browser& browser, const fs::path& folder) {
-  browser.folder = without_slash(fs::absolute(folder).lexically_normal());
+  std::error_code error;  // the folder one is in may be gone
+  const fs::path whole = fs::absolute(folder, error);
+  browser.folder = without_slash(error || whole.empty() ? fs::path("/") : whole.lexically_normal());
   browser.text.clear();
   browser.wrong.clear();
   browser.chosen = 0;

@@ -39,18 +39,26 @@ void themes(Ui& ui) {
   }
 }
 
+// Its value stands beside it: on it, the knob would cover the words.
+float slider_width(const Ui& ui, const char* value) {
+  const float beside = ImGui::CalcTextSize(value).x + ImGui::GetStyle().ItemSpacing.x;
+  return std::clamp(ImGui::GetContentRegionAvail().x - beside, ui.px(60), ui.px(280));
+}
+
 void text_size(Ui& ui) {
   // Dragged, it takes effect in the end: the slider would move away under the mouse.
   static int percent = 100;
   ui.heading("Size of the text");
-  ImGui::SetNextItemWidth(std::min(ImGui::GetContentRegionAvail().x, ui.px(340)));
-  ImGui::SliderInt("##size", &percent, 75, 300, "%d %%", ImGuiSliderFlags_AlwaysClamp);
+  ImGui::SetNextItemWidth(slider_width(ui, "300 %"));
+  ImGui::SliderInt("##size", &percent, 75, 300, "", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
   ui.thing("settings text size");
   const auto take = [&ui](int wanted) {
     ui.send([wanted](Player& player) { player.settings.text_scale = wanted / 100.0; });
   };
   if (ImGui::IsItemDeactivatedAfterEdit()) take(percent);
   if (!ImGui::IsItemActive()) percent = static_cast<int>(std::lround(100 * ui.player().settings.text_scale));
+  ImGui::SameLine();
+  ImGui::Text("%d %%", percent);
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   for (const int preset : {75, 100, 125, 150, 200, 300}) {
     const std::string label = std::to_string(preset) + " %";
@@ -87,11 +95,14 @@ void draw(Ui& ui) {
   ImGui::TextUnformatted("Speed");
   ImGui::SameLine();
   auto speed = static_cast<float>(settings.speed);
-  ImGui::SetNextItemWidth(std::min(ImGui::GetContentRegionAvail().x, ui.px(280)));
-  if (ImGui::SliderFloat("##speed", &speed, 0.1f, 10.0f, "%.1f steps a second",
-                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic))
+  ImGui::SetNextItemWidth(slider_width(ui, "10.0 steps a second"));
+  if (ImGui::SliderFloat("##speed", &speed, 0.1f, 10.0f, "",
+                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput |
+                             ImGuiSliderFlags_NoRoundToFormat))
     ui.send([speed](Player& player) { player.settings.speed = std::round(10.0 * static_cast<double>(speed)) / 10; });
   ui.thing("settings speed");
+  ImGui::SameLine();
+  ImGui::Text("%.1f steps a second", settings.speed);
   check(ui, "Reduced motion: steps are shown without moving", "settings motion", "view.motion",
         settings.reduced_motion);
   check(ui, "Numbers as exact fractions", "settings exact", "view.exact", settings.exact);

@@ -33,6 +33,7 @@ std::vector<Section> all_sections() {
   sections.push_back({"Without a mouse",
                       {{{"F6"}, "To the next panel"},
                        {{"Shift+F6"}, "To the panel before"},
+                       {{"Ctrl+Tab"}, "To the next tab"},
                        {{"F10"}, "To the menus"},
                        {{"Alt+\u2190 \u2191 \u2192 \u2193"}, "From value to value in a panel"},
                        {{"Escape"}, "Close, or let go of all"}}});

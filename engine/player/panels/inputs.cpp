@@ -36,11 +36,14 @@ void draw_slider(Ui& ui, InputFields& fields, const std::string& name, const Exa
                  float width) {
   const Exact &a = curve.domain_begin(), &b = curve.domain_end();
   const double low = a.to_double(), high = b.to_double();
-  double at = value.to_double();
+  // The slider knows shares of the domain only, which may be wider than ImGui can reckon with.
+  double share = value.to_double() / (high - low) - low / (high - low);
+  constexpr double none = 0, all = 1;
   ImGui::SetNextItemWidth(width);
   const bool moved =
-      ImGui::SliderScalar(("##slider " + name).c_str(), ImGuiDataType_Double, &at, &low, &high, "",
+      ImGui::SliderScalar(("##slider " + name).c_str(), ImGuiDataType_Double, &share, &none, &all, "",
                           ImGuiSliderFlags_NoInput | ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat);
+  const double at = low * (1 - share) + high * share;
   ui.thing("inputs " + name + " slider");
   const ImVec2 corner = ImGui::GetItemRectMin(), far = ImGui::GetItemRectMax();
   const float grab = ImGui::GetStyle().GrabMinSize, from = corner.x + 2 + grab / 2,

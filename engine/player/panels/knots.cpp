@@ -5,7 +5,12 @@
 namespace blossom {
 namespace {
 
-constexpr double wanted_height = 58;
+// As high as its run ever needs it: the panels stay where they are when a second knot vector comes.
+double wanted(const Ui& ui, double) {
+  const StepSource& source = ui.player().session()->recording().source();
+  const std::uint32_t last = source.graph->step_count() - 1;
+  return (resulting_knots(source, last) == absent ? knot_line_height : knot_lines_height) + 2;
+}
 
 std::size_t curve_of(const Player& player) {
   const std::size_t count = player.session()->recording().source().curves.size();
@@ -80,7 +85,7 @@ void draw(Ui& ui) {
   const auto axis = knot_axis(source, curve, left, line_width(width));
   if (!axis) return;
   Sheet sheet;
-  add_knot_line(sheet, source, session.step(), player.emphasis(), left, 0, line_width(width), curve, true);
+  add_knot_line(sheet, source, session.step(), player.emphasis(), left, 0, line_width(width), curve, true, true);
   if (source.curves.size() > 1) {
     Label which;
     which.anchor = {width - basis_bar_room, knot_line_at + 4, 0};
@@ -103,8 +108,7 @@ bool relevant(const Player& player) {
 }  // namespace
 
 const Panel& panel_knots() {
-  static const Panel panel{
-      "knots", "Knots", Slot::strip, 0, draw, relevant, [](const Ui&, double) { return wanted_height; }, wanted_height};
+  static const Panel panel{"knots", "Knots", Slot::strip, 0, draw, relevant, wanted, knot_line_height + 2};
   return panel;
 }
 

@@ -198,11 +198,6 @@ void draw_title(Ui& ui, float from, float to) {
 }
 
 void draw(Ui& ui) {
-  // The keyboard comes to the first menu, not to where it was before.
-  static bool had_keyboard = false;
-  const bool has_keyboard = ui.keyboard_in("menu") && ImGui::IsWindowFocused() && ImGui::GetIO().NavVisible;
-  if (has_keyboard && !std::exchange(had_keyboard, has_keyboard)) ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true);
-  had_keyboard = ui.keyboard_in("menu");
   const float right = ImGui::GetWindowContentRegionMax().x;
   const float y = ImGui::GetCursorPosY();
   ImGui::SetCursorPosX(ui.px(4));

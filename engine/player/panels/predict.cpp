@@ -1,19 +1,12 @@
 // Predicting: what will the next step make? Typed here, clicked in the picture, or picked from the spans or the lines.
-#include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include "player/ui/panel.hpp"
-#include "player/ui/ui.hpp"
+#include "player/ui/predict_parts.hpp"
 
 namespace blossom {
 namespace {
-
-void say(Ui& ui, const std::string& text, double size, Role role) {
-  double height = 0;
-  const double width = ui.units(ImGui::GetContentRegionAvail().x);
-  Sheet sheet = ui.flow(text, width, size, role, height, false);
-  ui.sheet("predict text", std::move(sheet), width, height);
-}
 
 // ---- before -----------------------------------------------------------------------------------------------------
 
@@ -23,103 +16,7 @@ void invite(Ui& ui) {
       "saved "
       "as a file to hand in.");
   ImGui::Spacing();
-  if (ui.button("Predict the steps", "predict start")) ui.act("predict.toggle");
-}
-
-// ---- the questions as a row of marks ----------------------------------------------------------------------------
-
-enum class Mark { open, answered, shown, right, partly, wrong };
-
-Mark mark_of(const Prediction& prediction, std::size_t question) {
-  const auto& attempt = prediction.attempt(question);
-  if (attempt && attempt->shown) return Mark::shown;
-  if (const auto mark = prediction.mark(question)) {
-    if (mark->verdict == Verdict::correct) return Mark::right;
-    return mark->verdict == Verdict::carried ? Mark::partly : Mark::wrong;
-  }
-  return attempt ? Mark::answered : Mark::open;
-}
-
-// Told apart by shape: a ring, a disc, a dotted disc, a tick, a tick in a ring, a cross.
-void draw_mark(Ui& ui, Mark mark, ImVec2 c, float r) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const auto tick = [&](ImU32 color) {
-    const ImVec2 points[] = {
-        {c.x - 0.8f * r, c.y + 0.05f * r}, {c.x - 0.2f * r, c.y + 0.65f * r}, {c.x + 0.85f * r, c.y - 0.65f * r}};
-    list.AddPolyline(points, 3, color, 0, r * 0.4f);
-  };
-  switch (mark) {
-    case Mark::open:
-      list.AddCircle(c, r * 0.8f, ui.color(Role::polygon), 20, r * 0.22f);
-      break;
-    case Mark::answered:
-      list.AddCircleFilled(c, r * 0.8f, ui.color(Role::polygon), 20);
-      break;
-    case Mark::shown:
-      list.AddCircle(c, r * 0.8f, ui.color(Role::polygon), 20, r * 0.22f);
-      list.AddCircleFilled(c, r * 0.3f, ui.color(Role::polygon), 12);
-      break;
-    case Mark::right:
-      tick(ui.color(Role::right));
-      break;
-    case Mark::partly:
-      list.AddCircle(c, r * 1.05f, ui.color(Role::right), 20, r * 0.18f);
-      tick(ui.color(Role::right));
-      break;
-    case Mark::wrong:
-      list.AddLine({c.x - 0.65f * r, c.y - 0.65f * r}, {c.x + 0.65f * r, c.y + 0.65f * r}, ui.color(Role::mistake),
-                   r * 0.4f);
-      list.AddLine({c.x + 0.65f * r, c.y - 0.65f * r}, {c.x - 0.65f * r, c.y + 0.65f * r}, ui.color(Role::mistake),
-                   r * 0.4f);
-      break;
-  }
-}
-
-const char* mark_text(Mark mark) {
-  switch (mark) {
-    case Mark::open:
-      return "not answered yet";
-    case Mark::answered:
-      return "answered";
-    case Mark::shown:
-      return "shown: earns nothing";
-    case Mark::right:
-      return "right";
-    case Mark::partly:
-      return "right rule, on an earlier mistake";
-    case Mark::wrong:
-      return "wrong";
-  }
-  return "";
-}
-
-void draw_marks(Ui& ui, const Prediction& prediction, std::optional<std::size_t> asked) {
-  const float side = ui.px(22);
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(2), ui.px(2)});
-  for (std::size_t q = 0; q < prediction.questions().size(); ++q) {
-    const Question& question = prediction.questions()[q];
-    if (q > 0) {
-      ImGui::SameLine();
-      if (ImGui::GetCursorScreenPos().x + side > right) ImGui::NewLine();
-    }
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::PushID(static_cast<int>(q));
-    if (ImGui::InvisibleButton("mark", {side, side})) ui.send([q](Player& p) { p.choose_question(q); });
-    ImGui::PopID();
-    ui.thing("predict question " + question.name);
-    const Mark mark = mark_of(prediction, q);
-    if (ImGui::IsItemHovered() || ImGui::IsItemFocused()) {
-      ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side}, ui.color(Role::rule_line, 0.5),
-                                                ui.px(4));
-      ImGui::SetTooltip("%s: %s", question.name.c_str(), mark_text(mark));
-    }
-    if (asked == q)
-      ImGui::GetWindowDrawList()->AddRect(at, {at.x + side, at.y + side}, ui.color(Role::current), ui.px(4), 0,
-                                          ui.px(2));
-    draw_mark(ui, mark, {at.x + side / 2, at.y + side / 2}, side * 0.3f);
-  }
-  ImGui::PopStyleVar();
+  if (predict_button(ui, "Predict the steps", "predict start")) ui.act("predict.toggle");
 }
 
 // ---- one question -----------------------------------------------------------------------------------------------
@@ -133,19 +30,6 @@ std::vector<std::string> labels_of(const Question& question, int dimension) {
   for (int i = 0; i < dimension; ++i) labels.push_back(std::string(homogeneous ? "w" : "") + names[i]);
   if (homogeneous) labels.emplace_back("w");
   return labels;
-}
-
-std::vector<std::string> split_list(const std::string& text) {
-  std::vector<std::string> elements;
-  std::string element;
-  for (const char c : text + ",") {
-    if (c != ',' && c != ';' && c != ' ') {
-      element += c;
-    } else if (!element.empty()) {
-      elements.push_back(std::exchange(element, {}));
-    }
-  }
-  return elements;
 }
 
 // The spans one can pick for k: the nonempty ones of the domain.
@@ -164,9 +48,11 @@ void draw_spans(Ui& ui, const Session& session) {
       ImGui::SameLine();
       if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
     }
-    if (ui.button(label.c_str(), "predict span " + std::to_string(i), true,
-                  ("the span of index " + std::to_string(i)).c_str()))
-      ui.send([i](Player& p) { p.set_draft(0, std::to_string(i)); });
+    if (predict_button(ui, label.c_str(), "predict span " + std::to_string(i)))
+      ui.send([i](Player& p) {
+        p.set_draft({std::to_string(i)});
+        p.submit_draft();
+      });
   }
 }
 
@@ -176,12 +62,15 @@ void draw_lines(Ui& ui, const Session& session, const Prediction& prediction, st
   const int right_line = source.line(question.step);
   if (right_line == 0) return;
   ImGui::TextUnformatted("Which line of the code makes it?");
+  ImGui::SameLine();
+  if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize("(practice, not handed in)").x) ImGui::NewLine();
+  ImGui::TextDisabled("(practice, not handed in)");
   const auto& guess = prediction.line_guess(q);
   const auto count = static_cast<int>(source.algorithm_at(question.step).pseudo_code.size());
   for (int line = 1; line <= count; ++line) {
-    ImGui::SameLine(0, ui.px(line == 1 ? 8 : 3));
+    if (line > 1) ImGui::SameLine(0, ui.px(3));
     if (ImGui::GetContentRegionAvail().x < ui.px(24)) ImGui::NewLine();
-    if (ui.button(std::to_string(line).c_str(), "predict line " + std::to_string(line)))
+    if (predict_button(ui, std::to_string(line).c_str(), "predict line " + std::to_string(line)))
       ui.send([q, line, right_line](Player& p) { p.session()->prediction()->guess_line(q, line, right_line); });
     if (guess && guess->picked == line) {
       const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
@@ -193,23 +82,36 @@ void draw_lines(Ui& ui, const Session& session, const Prediction& prediction, st
   }
 }
 
+const char* hint_of(const Question& question, std::size_t q) {
+  if (question.size == 0) return "e.g. 0, 0, 1/2, 1, 1";
+  if (question.kind == ValueKind::integer) return "a whole number";
+  return q == 0 ? "e.g. 3/4" : "";
+}
+
+// One field for each number; what was marked or shown can only be read.
 void draw_fields(Ui& ui, const Session& session, const Question& question, std::size_t q) {
   const auto labels = labels_of(question, session.recording().source().dimension);
+  const Prediction& prediction = *session.prediction();
   const auto& draft = ui.player().draft();
+  const auto& attempt = prediction.attempt(q);
+  const bool fixed = prediction.finished() || prediction.mark(q) || (attempt && attempt->shown);
   const bool list = question.size == 0;
+  std::vector<std::string> numbers;
+  if (draft.question == q)
+    numbers = draft.numbers;
+  else if (attempt)
+    numbers = attempt->numbers;
   const float width =
       list ? ImGui::GetContentRegionAvail().x - ui.px(100)
-           : std::min(ui.px(110),
+           : std::min(ui.px(question.kind == ValueKind::integer ? 140 : 110),
                       (ImGui::GetContentRegionAvail().x - ui.px(20)) / static_cast<float>(labels.size()) - ui.px(26));
   bool entered = false;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     std::string text;
-    if (draft.question == q) {
-      if (list)
-        for (const std::string& element : draft.numbers) text += (text.empty() ? "" : ", ") + element;
-      else if (i < draft.numbers.size())
-        text = draft.numbers[i];
-    }
+    if (list)
+      for (const std::string& element : numbers) text += (text.empty() ? "" : ", ") + element;
+    else if (i < numbers.size())
+      text = numbers[i];
     if (i > 0) ImGui::SameLine();
     if (!labels[i].empty()) {
       ImGui::AlignTextToFramePadding();
@@ -218,27 +120,32 @@ void draw_fields(Ui& ui, const Session& session, const Question& question, std::
     }
     ImGui::PushID(static_cast<int>(q * 8 + i));
     ImGui::SetNextItemWidth(width);
-    if (i == 0 && draft.wants_keyboard) {
+    if (i == 0 && draft.wants_keyboard && !fixed) {
       ImGui::SetKeyboardFocusHere();
       ui.send([](Player& p) { p.keyboard_given(); });
     }
-    if (ImGui::InputTextWithHint("##number", list ? "0, 0, 1/2, 1, 1" : "2/5", &text,
-                                 ImGuiInputTextFlags_EnterReturnsTrue))
-      entered = true;
-    if (ImGui::IsItemEdited()) {
+    if (ImGui::InputTextWithHint("##number", hint_of(question, q), &text,
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+                                     (fixed ? ImGuiInputTextFlags_ReadOnly : 0)))
+      entered = !fixed;
+    if (ImGui::IsItemEdited() && !fixed) {
       if (list)
-        ui.send([elements = split_list(text)](Player& p) {
-          for (std::size_t k = 0; k < elements.size(); ++k) p.set_draft(k, elements[k]);
-        });
+        ui.send([elements = split_numbers(text)](Player& p) { p.set_draft(elements); });
       else
         ui.send([i, text](Player& p) { p.set_draft(i, text); });
     }
     ImGui::PopID();
     ui.thing("predict " + (labels[i].empty() ? "number" : labels[i]));
   }
+  if (fixed) return;
   ImGui::SameLine();
-  const bool pressed = ui.button("Answer", "predict answer", true, "Enter");
+  const bool pressed = predict_button(ui, attempt ? "Change" : "Answer", "predict answer", "Enter");
   if (pressed || entered) ui.send([](Player& p) { p.submit_draft(); });
+  if (question.kind == ValueKind::point && question.form == Form::affine) {
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize("or click the place").x) ImGui::NewLine();
+    ImGui::TextDisabled("or click the place");
+  }
   if (draft.question == q && !draft.problem.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, ui.ink(Role::mistake));
     ImGui::TextWrapped("! %s", draft.problem.c_str());
@@ -247,41 +154,16 @@ void draw_fields(Ui& ui, const Session& session, const Question& question, std::
   }
 }
 
-std::string prompt_of(const Session& session, const Question& question) {
-  const ValueSpec* spec = session.recording().source().spec(question.value);
-  std::string text = "What is " + question.name + "?";
-  if (spec != nullptr && !spec->meaning.empty()) text += " It is " + std::string(spec->meaning) + ".";
-  return text;
-}
-
 void draw_question(Ui& ui, const Session& session, const Prediction& prediction, std::size_t q) {
   const Question& question = prediction.questions()[q];
-  say(ui, prompt_of(session, question), 1.05, Role::text);
-  if (question.name == "k") draw_spans(ui, session);
-  draw_fields(ui, session, question, q);
-  if (question.kind == ValueKind::point && question.form == Form::affine) {
-    ImGui::SameLine();
-    ImGui::TextDisabled("or click the place");
-  }
-}
-
-// ---- what was said of the last answer ---------------------------------------------------------------------------
-
-void draw_feedback(Ui& ui, const Prediction& prediction, std::size_t q) {
-  const auto mark = prediction.mark(q);
+  predict_text(ui, asked_words(question, session.recording().source()), 1.05, Role::text);
   const auto& attempt = prediction.attempt(q);
-  if (!mark || !attempt) return;
-  const Mark shape = mark_of(prediction, q);
-  std::string said = prediction.questions()[q].name + " = ";
-  for (std::size_t i = 0; i < attempt->numbers.size(); ++i) said += (i > 0 ? ", " : "") + attempt->numbers[i];
-  said += std::string(": ") + mark_text(shape) + ".";
-  if (!mark->feedback.empty()) said += " " + mark->feedback;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_mark(ui, shape, {at.x + ui.px(8), at.y + ui.px(11)}, ui.px(7));
-  ImGui::Indent(ui.px(22));
-  say(ui, said, 0.92, shape == Mark::wrong ? Role::mistake : Role::right);
-  ImGui::Unindent(ui.px(22));
+  if (question.name == "k" && !prediction.finished() && !prediction.mark(q) && !(attempt && attempt->shown))
+    draw_spans(ui, session);
+  if (attempt || !prediction.finished()) draw_fields(ui, session, question, q);
 }
+
+// ---- the end ----------------------------------------------------------------------------------------------------
 
 void draw_end(Ui& ui, const Prediction& prediction) {
   if (const auto grade = prediction.grade()) {
@@ -295,50 +177,97 @@ void draw_end(Ui& ui, const Prediction& prediction) {
   }
 }
 
+// Before something is lost, in place of the question.
+void draw_doubt(Ui& ui, const Prediction& prediction) {
+  const bool stop = ui.player().doubt() == Player::Doubt::stop;
+  const auto given = prediction.answered();
+  const auto left = prediction.questions().size() - given;
+  const auto counted = [](std::size_t count, const char* what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+  };
+  predict_text(ui,
+               stop ? "Stop and lose " + counted(given, "answer") + "? Saving them first keeps them as a file."
+                    : "Finish with " + counted(left, "open question") + "? They count as not answered.",
+               1.05, Role::text);
+  if (predict_button(ui, stop ? "Stop" : "Finish", "predict do it")) ui.send([](Player& p) { p.resolve_doubt(true); });
+  ImGui::SameLine();
+  if (ui.player().draft().wants_keyboard) {
+    ImGui::SetKeyboardFocusHere();
+    ImGui::GetCurrentContext()->NavDisableHighlight = false;
+    ui.send([](Player& p) { p.keyboard_given(); });
+  }
+  if (predict_button(ui, "Keep on", "predict keep on")) ui.send([](Player& p) { p.resolve_doubt(false); });
+  if (stop) {
+    ImGui::SameLine();
+    predict_action(ui, "file.save_answers", "Save ...");
+  }
+}
+
 void draw_buttons(Ui& ui, const Prediction& prediction) {
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   const auto next = [&](std::string_view action, const char* label) {
     const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine(0, ui.px(6));
     if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
-    ui.action_button(action, label);
+    predict_action(ui, action, label);
   };
-  ui.action_button("edit.undo", "Undo");
-  next("predict.show_me", "Show me");
-  if (!prediction.finished()) next("predict.finish", "Finish");
+  predict_action(ui, "edit.undo", "Undo");
+  if (!prediction.finished()) {
+    next("predict.show_me", "Show me");
+    next("predict.finish", "Finish");
+  }
   next("file.save_answers", "Save ...");
   next("predict.toggle", "Stop");
+}
+
+void draw_asked(Ui& ui, const Session& session, const Prediction& prediction) {
+  const auto asked = ui.player().asked();
+  if (prediction.finished()) draw_end(ui, prediction);
+  if (asked) draw_question(ui, session, prediction, *asked);
+  if (prediction.finished() && asked) {
+    draw_feedback(ui, prediction, *asked);
+    if (predict_button(ui, "All answers", "predict all", "Their marks, one below the other"))
+      ui.send([q = *asked](Player& p) { p.choose_question(q); });
+  }
+  draw_buttons(ui, prediction);
+  if (prediction.finished()) {
+    if (!asked)
+      for (std::size_t q = 0; q < prediction.questions().size(); ++q) draw_feedback(ui, prediction, q);
+    return;
+  }
+  // Of the question itself, if it is answered; else of the one that was answered before it.
+  if (asked && prediction.attempt(*asked))
+    draw_feedback(ui, prediction, *asked);
+  else if (const auto last = ui.player().last_said())
+    draw_feedback(ui, prediction, *last);
+  if (asked) draw_lines(ui, session, prediction, *asked);
 }
 
 void draw(Ui& ui) {
   const Session& session = *ui.player().session();
   const Prediction* prediction = session.prediction();
   ImGui::BeginChild("questions", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+  // Tab is to come to buttons, too, and to show where it came.
+  ImGui::PushItemFlag(ImGuiItemFlags_Inputable, true);
+  if (ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) &&
+      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab)))
+    ImGui::GetCurrentContext()->NavDisableHighlight = false;
   if (prediction == nullptr) {
     invite(ui);
-    ImGui::EndChild();
-    return;
+  } else {
+    draw_marks(ui, *prediction, ui.player().asked());
+    if (ui.player().doubt() != Player::Doubt::none)
+      draw_doubt(ui, *prediction);
+    else
+      draw_asked(ui, session, *prediction);
+    if (prediction->undos() + prediction->shown() > 0)
+      ImGui::TextDisabled("helps: %d taken back, %d shown", prediction->undos(), prediction->shown());
   }
-  const auto asked = ui.player().asked();
-  draw_marks(ui, *prediction, asked);
-  if (prediction->finished()) draw_end(ui, *prediction);
-  const bool puts = asked && (!prediction->finished() || prediction->attempt(*asked));
-  if (puts) draw_question(ui, session, *prediction, *asked);
-  draw_buttons(ui, *prediction);
-
-  // What the last answer was worth, or at the end all of them.
-  std::optional<std::size_t> last;
-  for (std::size_t q = 0; q < prediction->questions().size(); ++q)
-    if (prediction->attempt(q) && (!asked || q < *asked)) last = q;
-  if (asked && prediction->attempt(*asked)) last = asked;
-  if (prediction->finished() && !asked) {
-    for (std::size_t q = 0; q < prediction->questions().size(); ++q) draw_feedback(ui, *prediction, q);
-  } else if (last) {
-    draw_feedback(ui, *prediction, *last);
-  }
-  if (puts) draw_lines(ui, session, *prediction, *asked);
-  if (prediction->undos() + prediction->shown() > 0)
-    ImGui::TextDisabled("helps: %d taken back, %d shown", prediction->undos(), prediction->shown());
+  ImGui::PopItemFlag();
+  // Who clicks or types here has the keyboard here: Tab then walks in this panel.
+  if (ImGui::IsWindowFocused() && (ImGui::IsMouseClicked(0) || ImGui::GetIO().WantTextInput) &&
+      !ui.keyboard_in("predict"))
+    ui.send([](Player& p) { p.focus = "predict"; });
   ImGui::EndChild();
 }
 

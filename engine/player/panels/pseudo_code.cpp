@@ -28,10 +28,10 @@ void draw(Ui& ui) {
   ui.sheet("code", std::move(sheet), width, height);
 }
 
-double wanted(const Ui& ui, double) {
+double wanted(const Ui& ui, double width) {
   const Session& session = *ui.player().session();
-  const Algorithm& algorithm = session.recording().source().algorithm_at(session.step());
-  return 20.0 * static_cast<double>(algorithm.pseudo_code.size()) + 60;
+  Sheet measured;
+  return add_pseudo_code(measured, session.recording().source(), session.step(), {}, 6, 4, width - 34) + 24;
 }
 
 }  // namespace

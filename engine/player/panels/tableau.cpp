@@ -39,9 +39,15 @@ void draw(Ui& ui) {
   options.visible_from = ui.units(ImGui::GetScrollY()) / zoom;
   options.visible_to = options.visible_from + options.height;
   Sheet sheet;
-  const TableauSize size = add_tableau(sheet, source, session.step(), ui.player().emphasis(), 0, 0, options);
+  const Emphasis& lit = ui.player().emphasis();
+  const Emphasis emphasis = lit.quiet ? Emphasis{} : lit;
+  TableauSize size = add_tableau(sheet, source, session.step(), emphasis, 0, 0, options);
   if (size.width <= 0) {
-    ImGui::TextDisabled("This step has no triangular scheme.");
+    size = add_value_table(sheet, source, session.step(), emphasis, 0, 0, options.width - 14);
+    size.current_x = size.width / 2;
+  }
+  if (size.width <= 0) {
+    ImGui::TextDisabled("Nothing has been computed yet.");
   } else {
     // It follows the step, and otherwise stays where one has scrolled it.
     if (ui.step_is_new_to("tableau")) {

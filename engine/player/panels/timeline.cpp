@@ -5,6 +5,7 @@
 
 #include "player/ui/panel.hpp"
 #include "player/ui/ui.hpp"
+#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {
@@ -19,6 +20,18 @@ struct Track {  // pixels
   }
 };
 
+// A title as far as it has room; nothing where hardly any of it has.
+std::string cut(const std::string& title, float room) {
+  if (ImGui::CalcTextSize(title.c_str()).x <= room) return title;
+  constexpr std::size_t fewest = 6;
+  for (std::size_t kept = title.size(); kept-- > fewest;) {
+    if ((static_cast<unsigned char>(title[kept]) & 0xC0u) == 0x80u) continue;  // inside a letter
+    std::string shorter = title.substr(0, title.find_last_not_of(' ', kept - 1) + 1) + "…";
+    if (ImGui::CalcTextSize(shorter.c_str()).x <= room) return shorter;
+  }
+  return "";
+}
+
 // The parts of the run as bands below the line: the outermost phases, with their titles where they have room.
 void draw_phases(Ui& ui, const Session& session, const Track& track) {
   const StepSource& source = session.recording().source();
@@ -27,15 +40,16 @@ void draw_phases(Ui& ui, const Session& session, const Track& track) {
   for (std::uint32_t i = 0; i < source.graph->phases().size(); ++i) {
     const PhaseRecord& phase = source.graph->phases()[i];
     if (phase.parent != absent) continue;
-    const float from = track.place(phase.first_step), to = track.place(phase.last_step + 1.0);
+    const float from = track.place(phase.first_step), to = std::min(track.place(phase.last_step + 1.0), track.right);
     const float top = track.y + ui.px(7), bottom = top + ui.px(15);
-    list.AddRectFilled({from, top}, {std::min(to, track.right), bottom}, ui.color(Role::rule_line, odd ? 0.8 : 0.45),
+    // Little more than the background, so that text on it keeps its contrast in every theme.
+    list.AddRectFilled({from, top}, {to, bottom}, ImGui::GetColorU32(odd ? ImGuiCol_ButtonHovered : ImGuiCol_Button),
                        ui.px(3));
+    if (to - from > ui.px(4)) list.AddRectFilled({from, top}, {from + ui.px(2), bottom}, ui.color(Role::polygon));
     odd = !odd;
-    const std::string title = source.phase_title(i);
     ImGui::PushFont(ui.small());
-    if (ImGui::CalcTextSize(title.c_str()).x + ui.px(8) < to - from)
-      list.AddText({from + ui.px(4), top}, ui.ink(Role::text_quiet), title.c_str());
+    if (const std::string title = cut(source.phase_title(i), to - from - ui.px(10)); !title.empty())
+      list.AddText({from + ui.px(6), top}, ui.ink(Role::text), title.c_str());
     ImGui::PopFont();
   }
 }
@@ -80,18 +94,23 @@ std::string describe(const Session& session, std::uint32_t step) {
   std::string text = "step " + std::to_string(step);
   for (const std::uint32_t phase : graph.phase_path(graph.step(step).phase))
     text += "\n" + session.recording().source().phase_title(phase);
-  if (const ValueId v = graph.main_value(step); v != absent && !graph.is_input(v)) text += "\nmakes " + graph.name(v);
+  if (const ValueId v = graph.main_value(step); v != absent && !graph.is_input(v))
+    text += "\nmakes " + plain_name(graph.value(v).name, session.recording().source().algorithm_at(step));
   const auto& marks = session.beats();
   if (std::any_of(marks.begin(), marks.end(), [&](const Beat& b) { return b.step == step; }))
     text += "\na beat of the lesson";
   return text;
 }
 
+// Where there is hardly any height, the scrubber stands beside the buttons.
+bool in_one_row(const Ui& ui) { return ui.height() < 330; }
+
 void scrubber(Ui& ui, const Session& session) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const bool phases = !session.recording().graph().phases().empty();
-  const float height = ui.px(phases ? 38 : 26);
+  const float height = ui.px(phases && !in_one_row(ui) ? 38 : 26);
+  if (width < ui.px(40)) return;
   ImGui::InvisibleButton("slider", {width, height});
   ui.thing("timeline slider");
   const Track track{at.x + ui.px(10), at.x + width - ui.px(10), at.y + ui.px(14), session.last()};
@@ -109,7 +128,7 @@ void scrubber(Ui& ui, const Session& session) {
   } else if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("%s", describe(session, track.step(mouse)).c_str());
   }
-  if (phases) draw_phases(ui, session, track);
+  if (phases && !in_one_row(ui)) draw_phases(ui, session, track);
   draw_track(ui, session, track);
 }
 
@@ -119,14 +138,15 @@ void buttons(Ui& ui, const Session& session) {
     ui.icon_button(action, icon, on);
     ImGui::SameLine(0, ui.px(4));
   };
+  const bool all = !in_one_row(ui);  // keys and menus have the others
   next("step.first", "first");
-  next("step.previous_mark", "previous-beat");
+  if (all) next("step.previous_mark", "previous-beat");
   next("step.back", "back");
   next("step.play", timeline.playing() ? "pause" : "play", timeline.playing());
   next("step.forward", "forward");
-  next("step.next_mark", "next-beat");
+  if (all) next("step.next_mark", "next-beat");
   next("step.last", "last");
-  if (!session.recording().graph().phases().empty()) {
+  if (all && !session.recording().graph().phases().empty()) {
     next("step.over", "over");
     next("step.out", "out");
   }
@@ -138,6 +158,11 @@ void buttons(Ui& ui, const Session& session) {
   ui.thing("timeline position");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("the step one is at, of all\nG goes to a step or a value");
 
+  if (in_one_row(ui)) {
+    ImGui::SameLine(0, ui.px(8));
+    scrubber(ui, session);
+    return;
+  }
   // At the right, if there is room: bookmark, loop, speed.
   char speed[32];
   std::snprintf(speed, sizeof speed, "%gx", ui.player().settings.speed);
@@ -165,6 +190,7 @@ void buttons(Ui& ui, const Session& session) {
 
 void draw(Ui& ui) {
   const Session& session = *ui.player().session();
+  if (in_one_row(ui)) return buttons(ui, session);
   ImGui::SetCursorPosY(ui.px(2));
   scrubber(ui, session);
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ui.px(2));
@@ -172,6 +198,7 @@ void draw(Ui& ui) {
 }
 
 double wanted(const Ui& ui, double) {
+  if (in_one_row(ui)) return 50;
   const bool phases = !ui.player().session()->recording().graph().phases().empty();
   return phases ? 86 : 74;
 }

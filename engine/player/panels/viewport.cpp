@@ -185,7 +185,8 @@ void draw_held(Ui& ui, const Mouse& mouse, ImVec2 low, ImVec2 high) {
   ui.light({Link::Kind::value, *v}, "viewport");
   const bool refused = !session.rejected().empty();
   draw_tag(ui, list, beside(*at),
-           refused ? session.rejected()[0].message : point->name() + " = " + source.value_text(*v),
+           refused ? session.rejected()[0].message
+                   : plain_name(source.graph->value(*v).name, source.algorithm_at(0)) + " = " + source.value_text(*v),
            refused ? Role::mistake : Role::text, low, high);
 }
 
@@ -199,13 +200,20 @@ constexpr std::array<Tool, 3> plane_tools = {{{"view.fit", "Fit"}, {"view.grid",
 constexpr std::array<Tool, 4> space_tools = {
     {{"view.perspective", "Perspective"}, {"view.xy", "xy"}, {"view.xz", "xz"}, {"view.yz", "yz"}}};
 
-void draw_tools(Ui& ui, std::span<const Tool> tools, ImVec2 low, ImVec2 high) {
+constexpr double tools_height = 25;  // of the strip above the picture, where no point can be under them
+
+// From the right; those that do not fit are in the menus.
+void draw_tools(Ui& ui, bool spatial, ImVec2 at, float room) {
+  std::vector<Tool> tools(plane_tools.begin(), plane_tools.end());
+  if (spatial) tools.insert(tools.begin(), space_tools.begin(), space_tools.end());
   const float pad = ui.px(6), gap = ui.px(3);
+  const auto width_of = [&](const Tool& tool) { return ImGui::CalcTextSize(tool.label).x + 2 * pad; };
   float width = -gap;
-  for (const Tool& tool : tools) width += ImGui::CalcTextSize(tool.label).x + 2 * pad + gap;
+  for (const Tool& tool : tools) width += width_of(tool) + gap;
+  while (!tools.empty() && width > room) width -= width_of(tools.front()) + gap, tools.erase(tools.begin());
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, ui.px(2)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
-  ImGui::SetCursorScreenPos({std::max(low.x, high.x - width), low.y});
+  ImGui::SetCursorScreenPos({at.x + room - width, at.y});
   for (std::size_t i = 0; i < tools.size(); ++i) {
     if (i > 0) ImGui::SameLine();
     ui.action_button(tools[i].action, tools[i].label);
@@ -240,7 +248,20 @@ void draw_triad(const Ui& ui, const Camera& camera, ImVec2 low, ImVec2 high) {
 void draw(Ui& ui) {
   const Player& player = ui.player();
   const Session& session = *player.session();
-  const ImVec2 room = ImGui::GetContentRegionAvail(), origin = ImGui::GetCursorScreenPos();
+  ImVec2 room = ImGui::GetContentRegionAvail(), origin = ImGui::GetCursorScreenPos();
+  // In a small picture there is no room for them; keys and menus have them all.
+  if (ui.units(room.x) >= 240 && ui.units(room.y) >= 180) {
+    ImGui::PushFont(ui.small());
+    draw_tools(ui, player.shown_camera().kind == Camera::Kind::orbit, {origin.x + ui.px(4), origin.y + ui.px(3)},
+               room.x - ui.px(8));
+    ImGui::PopFont();
+    const float strip = std::round(ui.px(tools_height));
+    origin.y += strip;
+    room.y -= strip;
+    ImGui::GetWindowDrawList()->AddLine({origin.x, origin.y - 1}, {origin.x + room.x, origin.y - 1},
+                                        ui.color(Role::rule_line));
+    ImGui::SetCursorScreenPos(origin);
+  }
   const ViewSize size{ui.units(room.x), ui.units(room.y)};
   if (size.width < 1 || size.height < 1) return;
   if (size.width != player.view_size().width || size.height != player.view_size().height)
@@ -261,15 +282,8 @@ void draw(Ui& ui) {
   const Spot* found = ui.sheet("viewport", std::move(sheet), size.width, size.height, {.clickable = !asks});
   if (asks && found != nullptr && ImGui::IsMouseClicked(1)) ui.open_menu(found->link);
 
-  // In a small picture they would stand on the points; keys and menus have them all.
-  const bool roomy = size.width >= 300 && size.height >= 200;
-  ImGui::PushFont(ui.small());
-  if (roomy) draw_tools(ui, plane_tools, low, high);
-  if (roomy && options.camera->kind == Camera::Kind::orbit) {
-    draw_tools(ui, space_tools, {low.x, ImGui::GetItemRectMax().y + ui.px(3)}, high);
+  if (size.width >= 300 && size.height >= 200 && options.camera->kind == Camera::Kind::orbit)
     draw_triad(ui, *options.camera, low, high);
-  }
-  ImGui::PopFont();
 
   const Mouse mouse{ui, origin, size};
   handle_mouse(ui, mouse, spots);

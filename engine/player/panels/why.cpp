@@ -1,6 +1,7 @@
 // "Why?": where a value comes from, down to what was given.
 #include "player/ui/panel.hpp"
 #include "player/ui/ui.hpp"
+#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {
@@ -8,8 +9,13 @@ namespace {
 constexpr double indent = 18, text_size = 0.92;
 constexpr std::size_t most_lines = 400;
 
-std::string reason(const StepSource& source, const WhyLine& line) {
-  std::string text = source.graph->name(line.value) + " = ";
+// A value is called as in the formula of `user`, which it is an operand of, so that one finds it there.
+std::string reason(const StepSource& source, const WhyLine& line, ValueId user) {
+  std::string name = source.own_name(line.value);
+  if (user != absent)
+    if (std::string called = source.operand_name(user, line.value); called.size() > name.size())
+      name = std::move(called);
+  std::string text = name + " = ";
   if (line.given) return text + source.value_text(line.value) + ", given";
   if (line.told_above) return text + source.value_text(line.value) + ", see above";
   return text + source.formula(line.value) + " = " + source.made_text(line.value);
@@ -31,17 +37,27 @@ void draw(Ui& ui) {
   const double width = ui.units(ImGui::GetContentRegionAvail().x);
   // A value of a later step is not told before it is there; its formula would give it away.
   if (source.graph->value(*asked).step > session.step()) {
-    ImGui::TextWrapped("%s is made at step %u.", source.graph->name(*asked).c_str(), source.graph->value(*asked).step);
+    const ValueRecord& record = source.graph->value(*asked);
+    ImGui::TextWrapped("%s is made at step %u.", plain_name(record.name, source.algorithm_at(record.step)).c_str(),
+                       record.step);
     if (ui.button("Go there", "why go")) {
       ui.send([step = source.graph->value(*asked).step](Player& p) { p.seek(step); });
     }
   } else {
+    ImGui::Dummy({0, ui.px(3)});  // superscripts of the first line rise above it
     const auto lines = why(*source.graph, *asked, most_lines);
+    std::vector<ValueId> users;  // of the lines around this one, by depth
     for (const WhyLine& line : lines) {
+      const auto depth = static_cast<std::size_t>(line.depth);
+      users.resize(depth);
+      const ValueId user = depth > 0 ? users.back() : absent;
+      users.push_back(line.value);
+      // What is given is said once.
+      if (line.told_above && source.graph->is_input(line.value)) continue;
       const double x = std::min(line.depth * indent, width * 0.4);
       double height = 0;
-      Sheet sheet = ui.flow(reason(source, line), width - x - 4, text_size,
-                            line.given || line.told_above ? Role::text_quiet : Role::text, height);
+      Sheet sheet = ui.flow(reason(source, line, user), width - x - 4, text_size,
+                            line.given || line.told_above ? Role::text_quiet : Role::text, height, true, line.value);
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(x));
       const ImVec2 at = ImGui::GetCursorScreenPos();
       if (line.depth > 0)

@@ -49,6 +49,45 @@ std::string key_text(const Event& event) {
   return text + event.text;
 }
 
+// Panels with text fields: in them Tab walks from field to field.
+bool has_fields(std::string_view panel) { return panel == "inputs" || panel == "predict"; }
+
+bool is_arrow(std::string_view key) { return key == "Left" || key == "Right" || key == "Up" || key == "Down"; }
+
+// Why an action cannot be done now, as a sentence; empty where that is not simple to say.
+std::string reason_against(const Player& player, std::string_view id) {
+  const Session* session = player.session();
+  if (session == nullptr) return "Nothing is open.";
+  const auto one_of = [&](std::initializer_list<std::string_view> ids) {
+    return std::ranges::find(ids, id) != ids.end();
+  };
+  const Prediction* prediction = session->prediction();
+  if (prediction == nullptr && one_of({"file.save_answers", "predict.show_me", "predict.finish"}))
+    return "Nothing is being predicted; Ctrl+T begins.";
+  if (id == "predict.show_me") return "All questions are answered.";
+  if (id == "predict.finish") return "The answers are marked already.";
+  if (one_of({"step.forward", "step.over", "step.out", "step.last"})) return "This is the last step.";
+  if (one_of({"step.back", "step.first"})) return "This is the first step.";
+  if (id == "step.next_mark") return "No beat and no bookmark follows.";
+  if (id == "step.previous_mark") return "No beat and no bookmark comes before.";
+  if (id == "edit.undo") return "Nothing has been changed.";
+  if (id == "edit.redo") return "Nothing has been undone.";
+  if (one_of({"edit.nudge_nearer", "edit.nudge_farther"}) && !session->recording().source().spatial())
+    return "The picture is flat.";
+  if (id.starts_with("edit.")) return "Choose a given point first: click it, or Alt and arrows, then Enter.";
+  if (id.starts_with("view.")) return "The picture is flat.";
+  if (id == "help.pin") return "Nothing has the focus; Alt and arrows choose a value.";
+  if (id == "help.why") return "This step makes no value.";
+  return {};
+}
+
+std::string not_now(const Player& player, const Action& action) {
+  std::string title(action.title);
+  if (title.ends_with(" ...")) title.resize(title.size() - 4);
+  const std::string reason = reason_against(player, action.id);
+  return "Not now: " + title + "." + (reason.empty() ? "" : " " + reason);
+}
+
 bool is_punctuation(const std::string& text) {
   return text.size() == 1 && std::ispunct(static_cast<unsigned char>(text[0])) != 0;
 }
@@ -70,6 +109,7 @@ void Ui::feed(Event event) {
 void Ui::take_events() {
   ImGuiIO& io = ImGui::GetIO();
   io.MouseWheel = io.MouseWheelH = 0;
+  if (held_back_ > 0 && --held_back_ > 0) return;
   bool moved = false;
   while (!events_.empty()) {
     const Event::Kind kind = events_.front().kind;
@@ -95,6 +135,8 @@ bool Ui::take(const Event& event) {
     case Event::Kind::press:
     case Event::Kind::release:
       if (event.button >= 0 && event.button < 3) io.MouseDown[event.button] = event.kind == Event::Kind::press;
+      ring_ = false;
+      text_panel_.clear();
       io.KeyCtrl = event.ctrl;
       io.KeyShift = event.shift;
       io.KeyAlt = event.alt;
@@ -121,22 +163,33 @@ bool Ui::take(const Event& event) {
       }
       // Enter presses the button that has the focus, as Space does; in a text field it is only Enter.
       const bool presses = event.text == "Enter" && (!down || !io.WantTextInput);
-      for (std::size_t i = 0; i < named_keys.size(); ++i)
-        if (named_keys[i].name == event.text || (presses && named_keys[i].name == "Space")) io.KeysDown[i] = down;
+      // Dear ImGui's Tab knows text fields only. Where there is none to go to, it is the arrow that goes on.
+      const bool goes_on =
+          event.text == "Tab" && (!down || (player_->dialog != Dialog::none ? !io.WantTextInput : tabs_down()));
+      const std::string_view arrow = event.shift ? "Up" : "Down";
+      for (std::size_t i = 0; i < named_keys.size(); ++i) {
+        const std::string_view name = named_keys[i].name;
+        if (goes_on && (down ? name == arrow : name == "Up" || name == "Down" || name == "Tab"))
+          io.KeysDown[i] = down;
+        else if (!goes_on && (name == event.text || (presses && name == "Space")))
+          io.KeysDown[i] = down;
+      }
       return true;
     }
     case Event::Kind::text:
       if (std::exchange(swallow_text_, false)) return false;
+      if (!io.WantTextInput && belongs_to_field()) return return_to_field(event);
+      returning_ = false;
       if (!io.WantTextInput && is_punctuation(event.text) && shortcut(event.text)) return true;
       io.KeyCtrl = io.KeyAlt = false;  // whoever types letters has let go of them
       io.AddInputCharactersUTF8(event.text.c_str());
       return false;
     case Event::Kind::drop:
       send([path = event.text](Player& player) { player.unless_unsaved([path](Player& p) { p.open(path); }); });
-      return false;
+      return true;
     case Event::Kind::close:
       send([](Player& player) { player.unless_unsaved([](Player& p) { p.quit(); }); });
-      return false;
+      return true;
   }
   return false;
 }
@@ -145,14 +198,16 @@ bool Ui::take(const Event& event) {
 bool Ui::shortcut(const std::string& key) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool plain = key.find('+') == std::string::npos || key.size() == 1;
-  const bool dialog = player_->dialog != Dialog::none || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+  const bool dialog = covered();
   if (key == "Escape") {
+    text_panel_.clear();
     if (dialog || io.WantTextInput) {
       if (player_->dialog != Dialog::none && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId))
         send([](Player& player) { player.dialog = Dialog::none; });
       return false;
     }
     context_->NavDisableHighlight = true;
+    ring_ = false;
     send([](Player& player) {
       if (player.put_back()) return;  // what the mouse holds
       player.pin({});
@@ -167,7 +222,9 @@ bool Ui::shortcut(const std::string& key) {
        key == "Ctrl+V" || key == "Ctrl+X" || key == "Ctrl+Left" || key == "Ctrl+Right" || key == "Ctrl+Backspace" ||
        key == "Ctrl+Delete"))
     return false;
-  if (dialog && (plain || key.starts_with("Shift+"))) return false;
+  if (dialog && (plain || key.starts_with("Shift+") || key == "Ctrl+Tab" || key == "Ctrl+Shift+Tab")) return false;
+  if ((key.size() == 1 || key == "Space" || (key.size() == 7 && key.starts_with("Shift+"))) && belongs_to_field())
+    return false;
   if (key == "F6" || key == "Shift+F6") {
     move_focus(key == "F6" ? 1 : -1);
     return true;
@@ -176,22 +233,96 @@ bool Ui::shortcut(const std::string& key) {
     give_focus("menu");
     return true;
   }
+  if (key == "Tab" || key == "Shift+Tab") return tab_key(key != "Tab");
+  if (key == "Ctrl+Tab" || key == "Ctrl+Shift+Tab") {
+    choose_tab(key == "Ctrl+Tab" ? 1 : -1);
+    return true;
+  }
+  if (player_->session() == nullptr && keyboard_panel().empty() && is_arrow(key)) {
+    give_focus("start");
+    return true;
+  }
   // Inside of widgets the arrows walk from one to the next.
-  const bool walking = io.NavVisible && io.NavActive;
+  const bool walking = io.NavVisible && io.NavActive && !keyboard_panel().empty();
   const bool walks = key == "Left" || key == "Right" || key == "Up" || key == "Down" || key == "Space" ||
                      key == "Enter" || key == "Tab" || key == "Home" || key == "End" || key == "PageUp" ||
                      key == "PageDown";
   if (walks && (walking || player_->session() == nullptr)) return false;
-  if (key.starts_with("Alt+") &&
-      (key.ends_with("Left") || key.ends_with("Right") || key.ends_with("Up") || key.ends_with("Down"))) {
+  if (key.starts_with("Alt+") && is_arrow(std::string_view(key).substr(4))) {
     const std::string way = key.substr(4);
     move_in_sheet(way == "Left" ? -1 : (way == "Right" ? 1 : 0), way == "Up" ? -1 : (way == "Down" ? 1 : 0));
     return true;
   }
   const Action* action = action_for_key(key);
   if (action == nullptr) return false;
-  send([action](Player& player) { perform(player, action->id); });
+  run_action(action->id, true);
   return true;
+}
+
+bool Ui::covered() const {
+  return player_->dialog != Dialog::none || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+}
+
+// What an action gives the keyboard to has it then.
+void Ui::run_action(std::string_view id, bool by_key) {
+  send([this, id, by_key](Player& player) {
+    const std::string before = std::exchange(player.focus, {});
+    const bool done = perform(player, id);
+    if (!done && by_key) player.notice(not_now(player, *find_action(id)));
+    if (player.focus.empty()) {
+      player.focus = before;
+      return;
+    }
+    focus_request_ = player.focus;
+    if (!by_key) return;
+    ring_ = true;
+    context_->NavDisableHighlight = false;
+    if (player.focus != "inputs") return;
+    field_request_ = player.focus;
+    held_back_ = frames_wanted_ = 5;
+  });
+}
+
+// ---- text behind a field --------------------------------------------------------------------------------------------
+
+// What is typed right behind Enter is meant for the field, too, not for shortcuts.
+bool Ui::belongs_to_field() const {
+  return !text_panel_.empty() && text_panel_ == player_->focus && context_->NavId == text_field_ && !covered();
+}
+
+// The field is made active again, then it gets the text. One that has gone away gets nothing, and nobody else does.
+bool Ui::return_to_field(const Event& event) {
+  if (std::exchange(returning_, !returning_)) return false;
+  context_->NavNextActivateId = text_field_;
+  context_->NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
+  events_.push_front(event);
+  held_back_ = 4;
+  frames_wanted_ = std::max(frames_wanted_, held_back_);
+  return true;
+}
+
+// ---- from panel to panel --------------------------------------------------------------------------------------------
+
+std::string Ui::keyboard_panel() const { return things_.contains("panel " + player_->focus) ? player_->focus : ""; }
+
+// True: the keyboard has gone to the next panel. In panels with fields it walks these, on the start page all there is.
+bool Ui::tab_key(bool back) {
+  const std::string panel = keyboard_panel();
+  if (has_fields(panel) || tabs_down()) return false;
+  move_focus(back ? -1 : 1);
+  return true;
+}
+
+bool Ui::tabs_down() const { return keyboard_panel() == "start" || (covered() && player_->dialog == Dialog::none); }
+
+void Ui::choose_tab(int by) {
+  if (tabs_.empty()) return;
+  const auto here = std::ranges::find(tabs_, player_->tab);
+  const auto count = static_cast<int>(tabs_.size());
+  const int from = here == tabs_.end() ? 0 : static_cast<int>(here - tabs_.begin());
+  const std::string& next = tabs_[static_cast<std::size_t>((from + by + count) % count)];
+  give_focus(next);
+  send([next](Player& player) { player.tab = next; });
 }
 
 // The keyboard goes to the next panel on the screen, in the order in which one reads.
@@ -210,10 +341,12 @@ void Ui::move_focus(int by) {
 }
 
 void Ui::give_focus(const std::string& panel) {
-  focus_request_ = panel;
+  ring_ = true;
+  text_panel_.clear();
   context_->NavDisableHighlight = false;
   context_->NavDisableMouseHover = true;
-  send([panel](Player& player) {
+  send([this, panel](Player& player) {
+    focus_request_ = panel;
     player.focus = panel;
     player.focused = {};
   });
@@ -242,8 +375,10 @@ void Ui::move_in_sheet(int dx, int dy) {
     }
   }
   if (best == nullptr) return;
+  ring_ = true;
   context_->NavDisableHighlight = false;
-  send([panel, link = best->link](Player& player) {
+  send([this, panel, link = best->link](Player& player) {
+    if (player.focus != panel) focus_request_ = panel;
     player.focus = panel;
     player.focused = link;
   });

@@ -5,15 +5,42 @@
 namespace blossom {
 namespace {
 
-constexpr double gap = 6;             // between panels
-constexpr double least_side = 300;    // width
-constexpr double least_tabs = 170;    // height
-constexpr double least_main = 200;    // width
-constexpr double lowest_main = 110;   // height
-constexpr double least_foot = 56;     // height
-constexpr double least_window = 330;  // height
-constexpr double roomy_main = 150;    // what the strip below leaves of it
-constexpr double roomy_height = 460;  // of the side: enough for several panels above the tabs
+constexpr double gap = 6;              // between panels
+constexpr double least_side = 300;     // width
+constexpr double least_tabs = 170;     // height
+constexpr double least_main = 200;     // width
+constexpr double lowest_main = 110;    // height
+constexpr double least_foot = 56;      // height
+constexpr double least_window = 330;   // height
+constexpr double roomy_main = 150;     // what the strip below leaves of it
+constexpr double roomy_height = 460;   // of the side: enough for several panels above the tabs
+constexpr double least_stacked = 120;  // height of all panels above the tabs
+
+using Wanted = std::function<double(const Panel&, double width)>;
+
+// How high the panels above the tabs are, with the gaps below them. Where there is too little for all, the later ones
+// (the formula, whose last line is the result) have what they need, and the first (the code, which follows its line)
+// gives way, but not below a third. With too much, they are no higher than they want, unless the border is fixed.
+std::vector<std::pair<const Panel*, double>> heights_of(const std::vector<const Panel*>& stacked, double width,
+                                                        double room, bool fixed, const Wanted& wanted) {
+  std::vector<std::pair<const Panel*, double>> heights;
+  double needed = 0;
+  for (const Panel* panel : stacked) {
+    heights.emplace_back(panel, wanted(*panel, width) + gap);
+    needed += heights.back().second;
+  }
+  if (heights.empty()) return heights;
+  double later = needed - heights.front().second, &first = heights.front().second;
+  if (needed > room) {
+    const double least = heights.size() == 1 ? room : std::min(first, room / 3);
+    const double given = std::min(later, room - least);
+    for (std::size_t i = 1; i < heights.size(); ++i) heights[i].second *= given / later;
+    first = room - given;
+  } else if (fixed) {
+    heights.back().second += room - needed;
+  }
+  return heights;
+}
 
 }  // namespace
 
@@ -78,15 +105,10 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
     double y = top;
     const double lower = stacked.empty() ? side_height
                                          : std::clamp(wish.lower_share * side_height, least_tabs,
-                                                      std::max(least_tabs, side_height - 120));
-    double left = side_height - lower;
-    for (std::size_t i = 0; i < stacked.size(); ++i) {
-      const double wish_height = wanted(*stacked[i], side_width);
-      const bool last = i + 1 == stacked.size();
-      const double height = last ? left : std::min(wish_height, std::max(left - 118, left * 0.5));
-      layout.placed.push_back({stacked[i], {x, y, side_width, std::max(height - gap, 0.0)}});
+                                                      std::max(least_tabs, side_height - least_stacked));
+    for (const auto& [panel, height] : heights_of(stacked, side_width, side_height - lower, wish.lower_fixed, wanted)) {
+      layout.placed.push_back({panel, {x, y, side_width, std::max(height - gap, 0.0)}});
       y += height;
-      left -= height;
     }
     layout.lower_y = y;
     layout.tabs = {x, y, side_width, bottom - y};

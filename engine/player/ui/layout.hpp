@@ -27,6 +27,8 @@ struct LayoutWish {
   double width = 1280, height = 720;  // units
   double side_share = 0.4, lower_share = 0.55;
   bool page = false;  // nothing is open
+  // One has put the border above the tabs where it is; otherwise they have what the panels above leave, too.
+  bool lower_fixed = false;
 };
 
 // `wanted` says how high a panel wants to be at a width; `relevant` which panels there are.

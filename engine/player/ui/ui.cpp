@@ -21,6 +21,7 @@ Ui::Ui(Player& player, std::unique_ptr<GlCanvas> canvas, std::shared_ptr<const F
   io.LogFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // lists of more vertices than 16 bits number
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   io.ConfigInputTextCursorBlink = false;  // a blinking cursor would be a reason to draw twice a second
   io.KeyRepeatDelay = 0.3f;
@@ -59,7 +60,7 @@ bool Ui::wants_frame() const { return frames_wanted_ > 0 || !events_.empty() || 
 bool Ui::wants_text() const { return context_->IO.WantTextInput; }
 
 void Ui::act(std::string_view action) {
-  send([action](Player& player) { perform(player, action); });
+  run_action(action, false);
 }
 
 // ---- a frame --------------------------------------------------------------------------------------------------------
@@ -83,7 +84,12 @@ void Ui::frame(double seconds, bool drawn) {
   io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 0.2));
   take_events();
   ImGui::NewFrame();
+  if (io.WantTextInput && !covered()) {
+    text_panel_ = player_->focus;
+    text_field_ = context_->ActiveId != 0 ? context_->ActiveId : text_field_;
+  }
   things_.clear();
+  tabs_.clear();
   sheet_spots_.clear();
   pictures_.clear();
   hovered_ = {};
@@ -101,7 +107,13 @@ void Ui::frame(double seconds, bool drawn) {
   watch.lap();
   // What was sent is seen in the next frame.
   if (!sent_.empty()) redraw();
-  for (const auto& what : std::exchange(sent_, {})) what(*player_);
+  const Session* about = player_->session();
+  for (const auto& what : std::exchange(sent_, {})) {
+    if (player_->session() != about) break;  // the others were about what is open no more
+    what(*player_);
+    player_->settle();
+  }
+  if (std::exchange(picture_saved_, false) && drawn) paint();  // the window again, where the saved page was drawn
   frame_parts_.changes = watch.lap();
 }
 
@@ -159,11 +171,13 @@ Checked<bool> Ui::save_picture(const Scene& scene, const std::filesystem::path& 
   if (const auto frame = frame_of(scene, *theme_, scale, canvas_->max_size()); !frame) return frame.diagnostics;
   blossom::paint(scene, *theme_, *fonts_, *canvas_, scale);
   const auto image = canvas_->read();
-  redraw();
+  picture_saved_ = true;
   return image ? write_png(file, *image, scene.title, scene.description) : Checked<bool>(image.diagnostics);
 }
 
 // ---- windows of panels ----------------------------------------------------------------------------------------------
+
+constexpr double share_of_widgets = 0.62;  // of the side's height, unless one has chosen another
 
 void Ui::draw_panels() {
   const auto relevant = [&](const Panel& panel) {
@@ -175,11 +189,17 @@ void Ui::draw_panels() {
   const auto wanted = [&](const Panel& panel, double at_width) {
     return panel.height != nullptr ? panel.height(*this, at_width) : 200.0;
   };
-  LayoutWish wish{width(), height(), player_->settings.side_share, player_->settings.lower_share,
-                  player_->session() == nullptr};
+  const double lower_share = player_->settings.lower_share;
+  LayoutWish wish{width(), height(), player_->settings.side_share, lower_share, player_->session() == nullptr,
+                  lower_share != Settings{}.lower_share};
+  // What one fills in has more room than what one looks at.
+  for (const Panel* panel : panels())
+    if (!wish.lower_fixed && panel->slot == Slot::tabs && panel->id == player_->tab && panel->widgets)
+      wish.lower_share = share_of_widgets;
   const Layout layout = lay_out(wish, panels(), relevant, wanted);
   for (const Placed& placed : layout.placed) draw_window(*placed.panel, placed.rect);
   if (!layout.tabbed.empty() && layout.tabs.height > 0) draw_tabs(layout);
+  focus_request_.clear();  // of a panel that is not on the screen
   if (player_->session() != nullptr) draw_splitters(layout);
   for (const Panel* panel : panels())
     if (panel->slot == Slot::float_ && relevant(*panel)) panel->draw(*this);
@@ -209,19 +229,15 @@ void Ui::draw_window(const Panel& panel, const PixelRect& rect) {
   const bool bare = panel.slot == Slot::main || panel.slot == Slot::strip;
   if (bare) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   const std::string id(panel.id);
-  if (focus_request_ == id) {
-    ImGui::SetNextWindowFocus();
-    focus_request_.clear();
-  }
+  const bool arrives = keyboard_arrives(id);
   if (ImGui::Begin(id.c_str(), nullptr, flags)) {
     if (ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) && ImGui::IsMouseClicked(0) && player_->focus != id)
       send([id](Player& player) { player.focus = id; });
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     thing("panel " + id, low, {low.x + size.x, low.y + size.y});
+    if (arrives) welcome_keyboard(panel);
     panel.draw(*this);
-    if (player_->focus == id && ImGui::GetIO().NavVisible)
-      ImGui::GetForegroundDrawList()->AddRect(low, {low.x + size.x, low.y + size.y}, color(Role::focus), px(6), 0,
-                                              px(2));
+    draw_focus_ring(id);
   }
   ImGui::End();
   if (bare) ImGui::PopStyleVar();
@@ -285,23 +301,55 @@ void Ui::draw_tabs(const Layout& layout) {
     if (panel->id == player_->tab) active = panel;
   ImGuiWindowFlags flags = fixed;
   if (!active->widgets) flags |= ImGuiWindowFlags_NoNavInputs;
-  if (focus_request_ == active->id) {
-    ImGui::SetNextWindowFocus();
-    focus_request_.clear();
-  }
+  tabs_.clear();
+  for (const Panel* panel : layout.tabbed) tabs_.emplace_back(panel->id);
+  const bool arrives = keyboard_arrives(std::string(active->id));
   if (ImGui::Begin("tabs", nullptr, flags)) {
     if (ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) && ImGui::IsMouseClicked(0) &&
         player_->focus != active->id)
       send([id = std::string(active->id)](Player& player) { player.focus = id; });
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     thing("panel " + std::string(active->id), low, {low.x + size.x, low.y + size.y});
+    // The keyboard comes to what the tab holds, not to the tabs.
+    ImGui::PushItemFlag(ImGuiItemFlags_NoNavDefaultFocus, true);
     draw_tab_bar(layout, *active);
+    ImGui::PopItemFlag();
+    if (arrives) welcome_keyboard(*active);
     active->draw(*this);
-    if (player_->focus == active->id && ImGui::GetIO().NavVisible)
-      ImGui::GetForegroundDrawList()->AddRect(low, {low.x + size.x, low.y + size.y}, color(Role::focus), px(6), 0,
-                                              px(2));
+    draw_focus_ring(std::string(active->id));
   }
   ImGui::End();
+}
+
+bool Ui::keyboard_arrives(const std::string& panel) {
+  if (focus_request_ != panel) return false;
+  focus_request_.clear();
+  ImGui::SetNextWindowFocus();
+  return true;
+}
+
+// To its first text field if that was asked for, otherwise to the first of its widgets.
+void Ui::welcome_keyboard(const Panel& panel) {
+  ImGuiWindow* window = ImGui::GetCurrentWindow();
+  if (!panel.widgets || context_->NavWindow != window) return;
+  // A window without widgets, where the keyboard comes from, has put it out.
+  if (ring_) context_->NavDisableHighlight = false;
+  if (std::exchange(field_request_, {}) == panel.id)
+    ImGui::SetKeyboardFocusHere();
+  else
+    ImGui::NavInitWindow(window, true);
+}
+
+// In the window's own list: what stands over the window stands over its ring, too.
+void Ui::draw_focus_ring(const std::string& panel) {
+  if (!ring_ || player_->focus != panel || covered()) return;
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const float in = px(1.5);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(low, {low.x + size.x, low.y + size.y});
+  list.AddRect({low.x + in, low.y + in}, {low.x + size.x - in, low.y + size.y - in}, color(Role::focus), px(6), 0,
+               px(3));
+  list.PopClipRect();
 }
 
 void Ui::draw_splitters(const Layout& layout) {
@@ -376,9 +424,9 @@ const Spot* Ui::sheet(std::string_view panel, Sheet sheet, double width, double 
     if (!spot.name.empty() && ImGui::IsRectVisible(low, high)) thing(std::string(panel) + " " + spot.name, low, high);
     if (over && mouse.x >= low.x && mouse.x < high.x && mouse.y >= low.y && mouse.y < high.y) found = &spot;
     in_pixels.push_back({spot.link, low.x, low.y, high.x - low.x, high.y - low.y, spot.name});
-    if (keyboard_in(panel) && spot.link == player_->focused && player_->focused)
-      ImGui::GetForegroundDrawList()->AddRect({low.x - px(2), low.y - px(2)}, {high.x + px(2), high.y + px(2)},
-                                              color(Role::focus), px(4), 0, px(2));
+    if (keyboard_in(panel) && spot.link == player_->focused && player_->focused && !covered())
+      ImGui::GetWindowDrawList()->AddRect({low.x - px(2), low.y - px(2)}, {high.x + px(2), high.y + px(2)},
+                                          color(Role::focus), px(4), 0, px(2));
   }
   if (found == nullptr) return nullptr;
   hovered_ = found->link;
@@ -387,7 +435,7 @@ const Spot* Ui::sheet(std::string_view panel, Sheet sheet, double width, double 
   if (ImGui::IsMouseClicked(1)) {
     open_menu(found->link);
   } else if (ImGui::IsMouseDoubleClicked(0) && found->link.kind == Link::Kind::value) {
-    send([v = found->link.id](Player& player) { player.seek(player.session()->recording().graph().value(v).step); });
+    send([v = found->link.id](Player& player) { player.seek_value(v); });
   } else if (ImGui::IsMouseReleased(0) && ImGui::GetIO().MouseDragMaxDistanceSqr[0] < 9 * scale_ * scale_) {
     send([link = found->link](Player& player) { player.pin(link); });
   }

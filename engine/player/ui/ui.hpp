@@ -90,8 +90,10 @@ class Ui {
   bool icon_button(std::string_view action, std::string_view icon, bool pressed = false);
   void heading(const char* text);
   // Text with names in it set as in books (see typeset_text), wrapped at a width; `values` makes the names of values
-  // spots. The sheet's height in units is stored at `height`.
-  Sheet flow(const std::string& text, double width, double size, Role role, double& height, bool values = true) const;
+  // spots, looked up in the phase of the value that the text is `about`, or else of the step. The sheet's height in
+  // units is stored at `height`.
+  Sheet flow(const std::string& text, double width, double size, Role role, double& height, bool values = true,
+             std::optional<ValueId> about = {}) const;
   // Whether the step is another one than when this panel asked last: then it scrolls along.
   bool step_is_new_to(const std::string& panel);
   bool keyboard_in(std::string_view panel) const { return player_->focus == panel; }
@@ -110,6 +112,17 @@ class Ui {
   void draw_tab_bar(const Layout&, const Panel& active);
   void draw_splitters(const Layout&);
   void draw_menu();
+  bool keyboard_arrives(const std::string& panel);  // before its window begins
+  void welcome_keyboard(const Panel&);              // in its window, once it has arrived
+  void draw_focus_ring(const std::string& panel);
+  bool covered() const;  // a dialog or a menu stands over the panels
+  bool belongs_to_field() const;
+  bool return_to_field(const Event&);
+  bool tab_key(bool back);
+  bool tabs_down() const;  // Tab goes on as the arrow down does
+  void choose_tab(int by);
+  void run_action(std::string_view id, bool by_key);
+  std::string keyboard_panel() const;  // of those on the screen; empty: none
   void move_focus(int by);
   void give_focus(const std::string& panel);
   void move_in_sheet(int dx, int dy);
@@ -130,6 +143,14 @@ class Ui {
   std::map<std::string, PixelRect> things_;
   std::string focus_request_;
   bool swallow_text_ = false;
+  bool picture_saved_ = false;  // in this frame, through the window's canvas
+  bool ring_ = false;              // the keyboard was moved by keys: what has it is marked
+  std::string field_request_;      // the panel whose first text field is to have the keyboard
+  std::string text_panel_;         // where one types, or has just typed
+  ImGuiID text_field_ = 0;         // its field there
+  bool returning_ = false;         // what was typed behind it waits for it
+  int held_back_ = 0;              // frames until a field that was asked for takes what is typed
+  std::vector<std::string> tabs_;  // of the last frame
   FrameParts frame_parts_;
   ImGuiMouseCursor cursor_ = ImGuiMouseCursor_Arrow;
 

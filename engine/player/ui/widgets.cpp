@@ -166,6 +166,10 @@ std::size_t name_length(std::string_view text) {
       const std::size_t end = text.find(']', i);
       if (end == std::string_view::npos || end == i + 1) break;
       i = end;
+    } else if (text[i] == '_' && i + 1 < text.size() && (text[i + 1] == '{' || text[i + 1] == '(')) {
+      // u_{k+1}, N_(3,2)
+      const std::size_t end = text.find(text[i + 1] == '{' ? '}' : ')', i);
+      return end == std::string_view::npos || end > i + 16 ? i + 1 : end + 1;
     }
     ++i;
   }
@@ -173,7 +177,26 @@ std::size_t name_length(std::string_view text) {
   return i;
 }
 
-std::vector<Word> words_of(const std::string& text, const TraceGraph& graph, std::uint32_t step) {
+// The value of a name as it is written within a phase: looked up there first, then further out.
+std::optional<ValueId> value_named(std::string_view name, const TraceGraph& graph, std::string scope) {
+  const std::size_t local = name.rfind('.') == std::string_view::npos ? 0 : name.rfind('.') + 1;
+  std::string full(name);
+  // Only what has indices is surely meant: "a" is also an article. u_3 is the knot U[3].
+  if (name.substr(local).starts_with("u_"))
+    full = std::string(name.substr(0, local)) + "U[" + std::string(name.substr(local + 2)) + "]";
+  else if (name.find('[') == std::string_view::npos)
+    return std::nullopt;
+  for (;;) {
+    if (const auto value = graph.find(scope + full)) return value;
+    if (scope.empty()) return std::nullopt;
+    scope.pop_back();
+    const auto dot = scope.rfind('.');
+    scope.erase(dot == std::string::npos ? 0 : dot + 1);
+  }
+}
+
+std::vector<Word> words_of(const std::string& text, const TraceGraph& graph, std::uint32_t step,
+                           const std::string& scope) {
   std::vector<Word> words;
   bool blank = false, line = false;
   std::size_t i = 0;
@@ -191,11 +214,7 @@ std::vector<Word> words_of(const std::string& text, const TraceGraph& graph, std
     const bool at_word = i == 0 || (!is_name_letter(text[i - 1]) && text[i - 1] != '\'');
     if (const std::size_t length = at_word ? name_length(rest) : 0; length > 0) {
       const std::string name(rest.substr(0, length));
-      std::optional<ValueId> value;
-      // Only what has indices is surely meant: "a" is also an article.
-      if (name.find('[') != std::string::npos) value = graph.find(name);
-      // u_3 is the knot U[3].
-      if (name.starts_with("u_")) value = graph.find("U[" + name.substr(2) + "]");
+      std::optional<ValueId> value = value_named(name, graph, scope);
       if (value && graph.value(*value).step > step) value.reset();
       add(name, value);
       i += length;
@@ -212,6 +231,34 @@ std::vector<Word> words_of(const std::string& text, const TraceGraph& graph, std
   return words;
 }
 
+// Behind the last word of the cluster that begins here. A line breaks at blanks only: what follows without one (a
+// bracket, a full stop) comes along, and so does what stands in short parentheses, "(1/2 - 1/5)".
+std::size_t end_of_cluster(const std::vector<Word>& words, std::size_t begin) {
+  constexpr std::size_t most = 24;
+  const auto joined = [&](std::size_t end) {
+    do ++end;
+    while (end < words.size() && !words[end].blank_before && !words[end].line_before);
+    return end;
+  };
+  const auto open_in = [&](std::size_t from, std::size_t to, std::size_t& letters) {
+    std::ptrdiff_t open = 0;
+    for (std::size_t i = from; i < to; ++i) {
+      open += std::ranges::count(words[i].text, '(') - std::ranges::count(words[i].text, ')');
+      letters += words[i].text.size() + (words[i].blank_before ? 1 : 0);
+    }
+    return open;
+  };
+  const std::size_t first = joined(begin);
+  std::size_t end = first, letters = 0;
+  std::ptrdiff_t open = open_in(begin, end, letters);
+  while (open > 0 && letters <= most && end < words.size() && !words[end].line_before) {
+    const std::size_t next = joined(end);
+    open += open_in(end, next, letters);
+    end = next;
+  }
+  return open <= 0 && letters <= most ? end : first;
+}
+
 struct Piece {  // a word, set
   RichText text;
   double width = 0;
@@ -220,11 +267,13 @@ struct Piece {  // a word, set
 
 }  // namespace
 
-Sheet Ui::flow(const std::string& text, double width, double size, Role role, double& height, bool values) const {
+Sheet Ui::flow(const std::string& text, double width, double size, Role role, double& height, bool values,
+               std::optional<ValueId> about) const {
   Sheet sheet;
   const Session& session = *player_->session();
   const StepSource& source = session.recording().source();
-  const Algorithm& algorithm = source.algorithm_at(session.step());
+  const std::uint32_t step = about ? source.graph->value(*about).step : session.step();
+  const Algorithm& algorithm = source.algorithm_at(step);
   const Emphasis& emphasis = player_->emphasis();
   const double em = (*theme_)[role].text_size * size;
   const double line = em * 1.5, blank = fonts_->width({}, " ") * em;
@@ -239,21 +288,24 @@ Sheet Ui::flow(const std::string& text, double width, double size, Role role, do
     return piece;
   };
   double x = 0, baseline = em * 1.05;
-  const std::vector<Word> words = words_of(text, session.recording().graph(), values ? session.step() : 0);
-  // A line breaks at blanks only: what follows without one (a bracket, a full stop) comes along.
+  std::string scope;
+  for (const std::uint32_t phase : source.graph->phase_path(source.graph->step(step).phase))
+    if (source.graph->phases()[phase].scoped) scope += source.graph->phases()[phase].label() + ".";
+  const std::vector<Word> words = words_of(text, *source.graph, values ? session.step() : 0, scope);
   for (std::size_t begin = 0, end = 0; begin < words.size(); begin = end) {
+    end = end_of_cluster(words, begin);
     std::vector<Piece> pieces;
     double cluster = 0;
-    do {
-      pieces.push_back(set_word(words[end]));
-      cluster += pieces.back().width;
-      ++end;
-    } while (end < words.size() && !words[end].blank_before && !words[end].line_before);
+    for (std::size_t i = begin; i < end; ++i) {
+      pieces.push_back(set_word(words[i]));
+      cluster += pieces.back().width + (i > begin && words[i].blank_before ? blank : 0);
+    }
     if (words[begin].line_before) x = 0, baseline += line;
     if (words[begin].blank_before && x > 0) x += blank;
     if (x > 0 && x + cluster > width) x = 0, baseline += line;
     for (std::size_t i = begin; i < end; ++i) {
       Piece& piece = pieces[i - begin];
+      if (i > begin && words[i].blank_before) x += blank;
       if (x > 0 && x + piece.width > width) x = 0, baseline += line;  // wider than a line by itself
       if (const auto& value = words[i].value) {
         const double top = baseline - em * 1.0, bottom = baseline + em * 0.42, right = x + piece.width + 2;
@@ -293,17 +345,20 @@ void Ui::draw_menu() {
   if (is_value) {
     const StepSource& source = session->recording().source();
     const ValueId v = menu_link_.id;
-    ImGui::TextDisabled("%s", source.graph->name(v).c_str());
+    const ValueRecord& record = source.graph->value(v);
+    ImGui::TextDisabled("%s", plain_name(record.name, source.algorithm_at(record.step)).c_str());
     item("Why?", [v](Player& player) { player.ask_why(v); });
-    item("Go to its step", [v](Player& player) { player.seek(player.session()->recording().graph().value(v).step); });
-    item("Copy value", [text = source.value_text(v)](Player& player) {
-      player.desk().set_clipboard(text);
-      player.notice("Copied: " + text);
-    });
-    item("Copy as LaTeX", [text = latex_value(source, v)](Player& player) {
-      player.desk().set_clipboard(text);
-      player.notice("Copied: " + text);
-    });
+    item("Go to its step", [v](Player& player) { player.seek_value(v); });
+    if (!player_->veils(v)) {
+      item("Copy value", [text = source.value_text(v)](Player& player) {
+        player.desk().set_clipboard(text);
+        player.notice("Copied: " + text);
+      });
+      item("Copy as LaTeX", [text = latex_value(source, v)](Player& player) {
+        player.desk().set_clipboard(text);
+        player.notice("Copied: " + text);
+      });
+    }
     if (const auto point = address_of(*source.graph, session->inputs(), v)) {
       item("Add a point behind", [at = *point](Player& player) { player.add_point_behind(at); });
       item("Delete this point", [at = *point](Player& player) { player.remove_point(at); });

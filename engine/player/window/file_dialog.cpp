@@ -75,7 +75,7 @@ std::unique_ptr<FileDialog> FileDialog::open(bool to_save, const fs::path& sugge
 FileDialog::~FileDialog() {
   if (output_ >= 0) close(output_);
   if (process_ > 0) {
-    kill(process_, SIGTERM);
+    kill(process_, SIGKILL);  // it has nothing to keep, and the window is not to wait for it
     waitpid(process_, nullptr, 0);
   }
 }
@@ -86,8 +86,7 @@ std::optional<fs::path> FileDialog::poll() {
   while ((count = read(output_, part.data(), part.size())) > 0)
     answer_.append(part.data(), static_cast<std::size_t>(count));
   if (count < 0) return std::nullopt;  // nothing yet
-  waitpid(process_, nullptr, 0);
-  process_ = -1;
+  if (waitpid(process_, nullptr, WNOHANG) == process_) process_ = -1;
   while (!answer_.empty() && answer_.back() == '\n') answer_.pop_back();
   return fs::path(answer_);
 }

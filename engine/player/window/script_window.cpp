@@ -247,6 +247,8 @@ class Driver {
   void follow(const std::string& verb, const std::vector<std::string>& words) {
     if (verb == "size") {
       const double scale = words.size() > 2 ? number(words[2]) : 1;
+      const double largest = std::max(number(words[0]), number(words[1])) * scale;
+      if (largest > std::min(ui_.canvas().max_size(), 8192)) return fail("a window of so many pixels cannot be drawn");
       ui_.resize(static_cast<int>(number(words[0]) * scale), static_cast<int>(number(words[1]) * scale), scale);
     } else if (verb == "open" || verb == "drop") {
       Event drop = event(Event::Kind::drop);
