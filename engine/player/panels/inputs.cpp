@@ -189,7 +189,7 @@ void draw_history(Ui& ui, float room, float first_line) {
 
 void draw(Ui& ui) {
   const Session& session = *ui.player().session();
-  ImGui::BeginChild("inputs form", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+  ImGui::BeginChild("inputs form", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NavFlattened);
   InputFields fields(ui);
   const float room = ImGui::GetContentRegionAvail().x;
   fields.set_wrap(room);

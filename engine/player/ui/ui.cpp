@@ -314,7 +314,12 @@ void Ui::draw_tabs(const Layout& layout) {
     ImGui::PushItemFlag(ImGuiItemFlags_NoNavDefaultFocus, true);
     draw_tab_bar(layout, *active);
     ImGui::PopItemFlag();
-    if (arrives) welcome_keyboard(*active);
+    if (arrives) {
+      welcome_keyboard(*active);
+    } else if (field_request_ == active->id) {  // a frame later: the fields of a new tab are there only now
+      field_request_.clear();
+      ImGui::SetKeyboardFocusHere();
+    }
     active->draw(*this);
     draw_focus_ring(std::string(active->id));
   }
@@ -328,16 +333,13 @@ bool Ui::keyboard_arrives(const std::string& panel) {
   return true;
 }
 
-// To its first text field if that was asked for, otherwise to the first of its widgets.
+// To the first of its widgets.
 void Ui::welcome_keyboard(const Panel& panel) {
   ImGuiWindow* window = ImGui::GetCurrentWindow();
   if (!panel.widgets || context_->NavWindow != window) return;
   // A window without widgets, where the keyboard comes from, has put it out.
   if (ring_) context_->NavDisableHighlight = false;
-  if (std::exchange(field_request_, {}) == panel.id)
-    ImGui::SetKeyboardFocusHere();
-  else
-    ImGui::NavInitWindow(window, true);
+  ImGui::NavInitWindow(window, true);
 }
 
 // In the window's own list: what stands over the window stands over its ring, too.
