@@ -115,8 +115,8 @@ class Cursor {
 };
 
 // Writes to a temporary name beside `path` and renames: a reader sees the old file or the whole new one.
-// A file that is replaced keeps its permissions; a new one has `mode` but what the umask takes away. The diagnostic says
-// what the system said.
+// A file that is replaced keeps its permissions; a new one has `mode` but what the umask takes away. The diagnostic
+// says what the system said.
 Checked<bool> write_file(const std::filesystem::path& path, std::string_view content, unsigned mode = 0666);
 
 // A JSON string literal, quotes included; invalid UTF-8 becomes U+FFFD.

@@ -90,8 +90,8 @@ Camera zoomed(const Camera& camera, ViewSize size, glm::dvec2 at, double factor)
   const Lens lens(camera, size);
   Camera moved = lens.camera();
   // A picture that is larger or smaller than that by itself may come back, but go no further.
-  moved.height = std::clamp(moved.height / factor, std::min(least_height, moved.height),
-                            std::max(most_height, moved.height));
+  moved.height =
+      std::clamp(moved.height / factor, std::min(least_height, moved.height), std::max(most_height, moved.height));
   // The plane through the centre is seen without perspective, and is scaled about the point.
   const glm::dvec3 still = *lens.back(at, 0);
   moved.centre = still + moved.height / lens.camera().height * (moved.centre - still);

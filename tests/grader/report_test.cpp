@@ -104,7 +104,7 @@ TEST_CASE("advice on a misconception is given once to a student, and named where
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
     return count;
   };
-  const std::string advice = "The weight of each point is the distance to the other one";
+  const std::string advice = "at u = 0 the result is the first point";
   INFO(out);
   CHECK(times(out, advice) == 2);  // once to each
   CHECK(times(out, "      As above: the weights are swapped. Right is P[1][1] = ") == 2);

@@ -52,7 +52,7 @@ TEST_CASE("Predictions are typed, marked when all are given, and saved as answer
   const Ended ended =
       play(scratch, "open exercises/01-de-casteljau.json\nkey End\nexpect step 0\n" + answer("P[1][0]", "1", "3") +
                         answer("P[1][1]", "7", "12") +
-                        "expect undos 0\nkey Ctrl+Z\nexpect undos 1\nexpect question \"P[1][1]\"\n" +
+                        "expect undos 0\nclick edit.undo\nexpect undos 1\nexpect question \"P[1][1]\"\n" +
                         answer("P[1][1]", "6", "12") + answer("P[1][2]", "13", "10") +
                         "expect answered \"3 / 6\"\nkey Ctrl+Shift+S\n" + save_to(scratch / "answers.json"));
   SHOW(ended);

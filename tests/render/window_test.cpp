@@ -128,7 +128,7 @@ TEST_CASE("Calls that share vertices draw their own triangles") {
     easel.canvas->set_texture(1, 1, full);
     const auto corner = [](float x, float y, Color color) { return ImageVertex{x, y, 0, 0, color}; };
     const ImageVertex shared[] = {corner(0, 0, red),    corner(20, 0, red),   corner(0, 20, red),
-                                            corner(40, 40, blue), corner(20, 40, blue), corner(40, 20, blue)};
+                                  corner(40, 40, blue), corner(20, 40, blue), corner(40, 20, blue)};
     const std::uint16_t first[] = {0, 1, 2}, second[] = {5, 4, 3};
     const Image image = easel.picture(40, 40, [&](GlCanvas& c) {
       c.image_triangles(shared, second, everywhere);

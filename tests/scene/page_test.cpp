@@ -185,7 +185,7 @@ TEST_CASE("The formula panel gives what the step makes, with names, with numbers
   INFO(all);
   CHECK(all.find("P2(1) = (0, 16)") != std::string::npos);  // the published value of this example
   CHECK(all.find("(1 - 4/5) (0, 0) + 4/5 (0, 20)") != std::string::npos);
-  CHECK(all.find("b(0, 1/4, 2/5)") != std::string::npos);            // between b(0, 0, 1/4) and b(0, 1/4, 1/2)
+  CHECK(all.find("b(0, 1/4, 2/5)") != std::string::npos);             // between b(0, 0, 1/4) and b(0, 1/4, 1/2)
   CHECK(add_formula(sheet, lesson->source, 0, 0, 0, 600, 400) == 0);  // the step that shows the inputs makes nothing
 
   // With less room the last of it is left out, and nothing reaches beyond.

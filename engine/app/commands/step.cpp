@@ -161,8 +161,8 @@ void set_up(CLI::App& app, int& status) {
   app.footer(std::string("Keys, each followed by Enter:\n") + keys + "Example:\n  blossom step 01-de-casteljau");
   app.callback([options, &status] {
     const auto subject = load_subject(options->subject);
-    status =
-        !subject ? report(subject.diagnostics) : (options->decimals ? step_through<double>(*subject) : step_through<Exact>(*subject));
+    status = !subject ? report(subject.diagnostics)
+                      : (options->decimals ? step_through<double>(*subject) : step_through<Exact>(*subject));
   });
 }
 

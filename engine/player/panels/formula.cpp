@@ -1,7 +1,4 @@
 // Where the step's value comes from: the formula with symbols, then with the numbers filled in, then the result.
-#include <algorithm>
-#include <cmath>
-
 #include "player/ui/panel.hpp"
 #include "player/ui/ui.hpp"
 #include "scene/typeset.hpp"
@@ -11,7 +8,7 @@ namespace {
 
 // Calls say(text, size, role) for each line; false: the step makes nothing.
 template <class Say>
-bool each_line(const Ui& ui, const Say& say) {
+bool each_line(Ui& ui, const Say& say) {
   const Session& session = *ui.player().session();
   const StepSource& source = session.recording().source();
   const ValueId v = source.graph->main_value(session.step());
@@ -37,17 +34,8 @@ void draw(Ui& ui) {
     ImGui::TextDisabled("%s", ui.player().session()->step() == 0 ? "What is given." : "A new part begins here.");
 }
 
-// In coarse steps, so that the panels do not move at each step of the run.
-double wanted(const Ui& ui, double width) {
-  if (ui.player().session()->step() == 0) return 40;
-  double height = 16;
-  each_line(ui, [&](const std::string& text, double size, Role role) {
-    double part = 0;
-    ui.flow(text, width - 22, size, role, part);
-    height += part + 6;
-  });
-  return std::clamp(std::ceil(height / 40) * 40, 120.0, 280.0);
-}
+// The same at every step: the panels are not to move while one steps. Four lines, as most steps have.
+double wanted(const Ui&, double) { return 134; }
 
 }  // namespace
 

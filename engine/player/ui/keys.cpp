@@ -123,6 +123,7 @@ void Ui::take_events() {
 }
 
 // A press and its release in one frame would be lost to ImGui, so each of them ends the frame's events.
+// A press and its release in one frame would be lost to ImGui, so each of them ends the frame's events.
 bool Ui::take(const Event& event) {
   ImGuiIO& io = ImGui::GetIO();
   switch (event.kind) {
@@ -281,6 +282,12 @@ void Ui::run_action(std::string_view id, bool by_key) {
     field_request_ = player.focus;
     held_back_ = frames_wanted_ = 5;
   });
+}
+
+bool Ui::gives_keyboard_to_field_of(std::string_view panel) {
+  if (field_request_ != panel || !field_ready_) return false;
+  field_request_.clear();
+  return true;
 }
 
 // ---- text behind a field --------------------------------------------------------------------------------------------

@@ -65,6 +65,7 @@ bool InputFields::number_(const NumberField& field, const std::function<NumberEd
   shown.copy(buffer.data(), buffer.size() - 1);
 
   ImGui::SetNextItemWidth(field.width);
+  if (ui_.gives_keyboard_to_field_of("inputs")) ImGui::SetKeyboardFocusHere();
   if (field.quiet) ImGui::PushStyleColor(ImGuiCol_Text, ui_.ink(Role::text_quiet));
   ImGui::PushID(field.path.c_str());
   bool counted = false;

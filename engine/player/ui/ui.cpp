@@ -59,9 +59,7 @@ bool Ui::wants_frame() const { return frames_wanted_ > 0 || !events_.empty() || 
 
 bool Ui::wants_text() const { return context_->IO.WantTextInput; }
 
-void Ui::act(std::string_view action) {
-  run_action(action, false);
-}
+void Ui::act(std::string_view action) { run_action(action, false); }
 
 // ---- a frame --------------------------------------------------------------------------------------------------------
 
@@ -190,7 +188,11 @@ void Ui::draw_panels() {
     return panel.height != nullptr ? panel.height(*this, at_width) : 200.0;
   };
   const double lower_share = player_->settings.lower_share;
-  LayoutWish wish{width(), height(), player_->settings.side_share, lower_share, player_->session() == nullptr,
+  LayoutWish wish{width(),
+                  height(),
+                  player_->settings.side_share,
+                  lower_share,
+                  player_->session() == nullptr,
                   lower_share != Settings{}.lower_share};
   // What one fills in has more room than what one looks at.
   for (const Panel* panel : panels())
@@ -314,12 +316,8 @@ void Ui::draw_tabs(const Layout& layout) {
     ImGui::PushItemFlag(ImGuiItemFlags_NoNavDefaultFocus, true);
     draw_tab_bar(layout, *active);
     ImGui::PopItemFlag();
-    if (arrives) {
-      welcome_keyboard(*active);
-    } else if (field_request_ == active->id) {  // a frame later: the fields of a new tab are there only now
-      field_request_.clear();
-      ImGui::SetKeyboardFocusHere();
-    }
+    if (arrives) welcome_keyboard(*active);
+    field_ready_ = !arrives;  // a frame later: the fields of a new tab are there only then
     active->draw(*this);
     draw_focus_ring(std::string(active->id));
   }

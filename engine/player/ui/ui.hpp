@@ -94,6 +94,8 @@ class Ui {
   // units is stored at `height`.
   Sheet flow(const std::string& text, double width, double size, Role role, double& height, bool values = true,
              std::optional<ValueId> about = {}) const;
+  // Asked by a panel before each of its text fields: whether this one is to have the keyboard. Once for a request.
+  bool gives_keyboard_to_field_of(std::string_view panel);
   // Whether the step is another one than when this panel asked last: then it scrolls along.
   bool step_is_new_to(const std::string& panel);
   bool keyboard_in(std::string_view panel) const { return player_->focus == panel; }
@@ -144,7 +146,8 @@ class Ui {
   std::string focus_request_;
   bool swallow_text_ = false;
   bool picture_saved_ = false;  // in this frame, through the window's canvas
-  bool ring_ = false;              // the keyboard was moved by keys: what has it is marked
+  bool ring_ = false;           // the keyboard was moved by keys: what has it is marked
+  bool field_ready_ = false;
   std::string field_request_;      // the panel whose first text field is to have the keyboard
   std::string text_panel_;         // where one types, or has just typed
   ImGuiID text_field_ = 0;         // its field there
