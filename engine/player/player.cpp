@@ -95,7 +95,9 @@ void Player::forget_what_was_about() {
 }
 
 void Player::unless_unsaved(std::function<void(Player&)> then) {
-  if (!session_ || !session_->unsaved()) return then(*this);
+  // What one practised in a lesson is not handed in.
+  const bool answers = answers_unsaved() && session_->document().kind == Document::Kind::exercise;
+  if (!session_ || (!session_->unsaved() && !answers)) return then(*this);
   after_unsaved_ = std::move(then);
   dialog = Dialog::unsaved;
 }
@@ -267,6 +269,7 @@ void Player::save_answers(const fs::path& file) {
   if (!saved) return show_problems("The answers could not be saved", saved.diagnostics);
   saved_answers_ = session_->prediction()->answers_file();
   notice("Saved as " + printable(file.string()));
+  if (after_unsaved_) proceed_after_unsaved(*this);
 }
 
 // ---- time -----------------------------------------------------------------------------------------------------------

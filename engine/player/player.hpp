@@ -60,7 +60,7 @@ class Player {
   // Opens a file; what is wrong with it becomes the problems, and what was open stays open.
   bool open(const std::filesystem::path&, std::string_view algorithm = {});
   bool open(Document);
-  // Asks first (Dialog::unsaved) when edits would be lost; then does it.
+  // Asks first (Dialog::unsaved) when edits, or answers to an exercise, would be lost; then does it.
   void unless_unsaved(std::function<void(Player&)> then);
   void close();  // to the start page
   void quit() { quit_ = true; }
@@ -146,6 +146,7 @@ class Player {
   bool hides(std::string_view value) const;
   // Whether a value is one that is asked, or made after one that is, so that no copy of it may be had yet.
   bool veils(ValueId) const;
+  bool answers_unsaved() const;
   void submit_draft();                           // the answer is given; where it is marked at once one sees the step
   void show_me();                                // the answer to the question one is asked, likewise
   std::optional<std::size_t> last_said() const;  // the question that was answered or shown last

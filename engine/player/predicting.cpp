@@ -174,10 +174,14 @@ void Player::put_back_answer() {
 
 // ---- the end --------------------------------------------------------------------------------------------------------
 
+bool Player::answers_unsaved() const {
+  const Prediction* prediction = session_ ? session_->prediction() : nullptr;
+  return prediction != nullptr && prediction->answered() > 0 && saved_answers_ != prediction->answers_file();
+}
+
 void Player::stop_predicting() {
   if (!session_ || session_->prediction() == nullptr) return;
-  const Prediction& prediction = *session_->prediction();
-  if (prediction.answered() == 0 || saved_answers_ == prediction.answers_file()) return resolve_stop();
+  if (!answers_unsaved()) return resolve_stop();
   doubt_ = Doubt::stop;
   draft_.wants_keyboard = true;
   tab = focus = "predict";

@@ -145,3 +145,27 @@ TEST_CASE("a file whose name is no UTF-8 does not spoil what is remembered of th
   CHECK(to_string(wrong).empty());
   CHECK(progress.contains(fs::absolute("lessons/05-de-boor.json").string()));
 }
+
+TEST_CASE("answers to an exercise are not lost without a word; those of practice may be") {
+  World world;
+  Player& player = world.player();
+  int done = 0;
+  REQUIRE(player.open(fs::absolute("exercises/05-de-boor.json")));
+  player.unless_unsaved([&](Player&) { ++done; });
+  CHECK(done == 1);  // nothing was answered
+  REQUIRE_FALSE(player.session()->prediction()->answer(0, {"4"}));
+  player.unless_unsaved([&](Player&) { ++done; });
+  CHECK(done == 1);
+  CHECK(player.dialog == Dialog::unsaved);
+  player.save_answers(world.scratch / "answers.json");
+  CHECK(done == 2);  // saved, it goes on
+  player.unless_unsaved([&](Player&) { ++done; });
+  CHECK(done == 3);
+  CHECK(text_of(world.scratch / "answers.json").find("\"k\": \"4\"") != std::string::npos);
+
+  REQUIRE(player.open(fs::absolute("lessons/01-de-casteljau.json")));
+  REQUIRE(player.session()->start_prediction().empty());
+  REQUIRE_FALSE(player.session()->prediction()->answer(0, {"1", "1"}));
+  player.unless_unsaved([&](Player&) { ++done; });
+  CHECK(done == 4);
+}

@@ -7,9 +7,14 @@ namespace {
 
 void draw(Ui& ui) {
   if (ui.player().session() == nullptr) return close_dialog(ui);
-  if (!begin_dialog(ui, "Your edits are not saved", 460)) return;
-  quiet_text(ui, "You have changed the inputs of \u201C" + ui.player().session()->document().title() +
-                     "\u201D. Save them as a lesson of your own, or go on without them.");
+  const Player& player = ui.player();
+  const bool edits = player.session()->unsaved();
+  if (!begin_dialog(ui, edits ? "Your edits are not saved" : "Your answers are not saved", 460)) return;
+  const std::string title = "\u201C" + player.session()->document().title() + "\u201D";
+  quiet_text(
+      ui,
+      edits ? "You have changed the inputs of " + title + ". Save them as a lesson of your own, or go on without them."
+            : "You have answered questions of " + title + ". Save the answers as a file, or go on without them.");
   ImGui::Dummy({0, ui.px(4)});
   const auto wide = [&](const char* label, const char* name) {
     const bool pressed = ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 0});
@@ -18,12 +23,12 @@ void draw(Ui& ui) {
   };
   ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_TabActive));
   ImGui::PushFont(ui.bold());
-  if (wide("Keep them as a lesson ...", "dialog ok"))
-    ui.send([](Player& player) { player.dialog = Dialog::save_lesson; });
+  if (wide(edits ? "Keep them as a lesson ..." : "Save the answers ...", "dialog ok"))
+    ui.send([edits](Player& p) { p.dialog = edits ? Dialog::save_lesson : Dialog::save_answers; });
   ImGui::PopFont();
   ImGui::PopStyleColor();
   ImGui::SetItemDefaultFocus();
-  if (wide("Go on without them", "dialog discard")) ui.send([](Player& player) { proceed_after_unsaved(player); });
+  if (wide("Go on without them", "dialog discard")) ui.send([](Player& p) { proceed_after_unsaved(p); });
   if (wide("Cancel", "dialog cancel")) close_dialog(ui);
   end_dialog();
 }
