@@ -1,5 +1,6 @@
 // The algorithm's pseudo-code with the line of the step.
 #include <algorithm>
+#include <utility>
 
 #include "player/ui/panel.hpp"
 #include "player/ui/ui.hpp"
@@ -14,7 +15,9 @@ void draw(Ui& ui) {
   const double height =
       add_pseudo_code(sheet, session.recording().source(), session.step(), ui.player().emphasis(), 6, 4, width - 12);
   // Where not all of it has room, the line of the step is kept in sight.
-  if (ui.step_is_new_to("code")) {
+  float& seen_room = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("room"));
+  const bool other_room = std::exchange(seen_room, ImGui::GetWindowHeight()) != ImGui::GetWindowHeight();
+  if (ui.step_is_new_to("code") || other_room) {
     const std::string line = "line " + std::to_string(session.recording().source().line(session.step()));
     for (const Spot& spot : sheet.spots)
       if (spot.name == line) {
