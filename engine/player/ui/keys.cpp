@@ -123,7 +123,6 @@ void Ui::take_events() {
 }
 
 // A press and its release in one frame would be lost to ImGui, so each of them ends the frame's events.
-// A press and its release in one frame would be lost to ImGui, so each of them ends the frame's events.
 bool Ui::take(const Event& event) {
   ImGuiIO& io = ImGui::GetIO();
   switch (event.kind) {
