@@ -240,7 +240,7 @@ TEST_CASE("an inserted point stands behind the one that was named, and a B-splin
   CHECK(curve.points.size() == 6);
   CHECK(curve.points[2] == HPoint<Exact>(2, 2, 0, 1));
   CHECK(curve.knots == std::vector<Exact>{0, 0, 0, 0, Exact::ratio(1, 2), 1, 2, 2, 2, 2});
-  const auto& longer = curve_of(insert_point(*find_algorithm("de_casteljau"), bezier(), point(3), {9, 9, 9}));
+  const auto longer = curve_of(insert_point(*find_algorithm("de_casteljau"), bezier(), point(3), {9, 9, 9}));
   CHECK(longer.degree == 4);
   CHECK(longer.bezier);
   CHECK(longer.points.back() == HPoint<Exact>(9, 9, 9, 1));
@@ -275,7 +275,7 @@ TEST_CASE("raising the degree of a Bezier curve keeps its shape") {
   // The NURBS Book, 5.5 and Forrest: (0, 0), (2, 4), (4, 0) raised is (0, 0), (4/3, 8/3), (8/3, 8/3), (4, 0).
   const auto parabola =
       inputs_of(de_casteljau, R"({"curve": {"degree": 2, "points": [[0, 0], [2, 4], [4, 0]]}, "u": 0})");
-  const auto& cubic_points = curve_of(set_degree(de_casteljau, parabola, the_curve, 3)).points;
+  const auto cubic_points = curve_of(set_degree(de_casteljau, parabola, the_curve, 3)).points;
   CHECK(cubic_points[1] == HPoint<Exact>(Exact::ratio(4, 3), Exact::ratio(8, 3), 0, 1));
   CHECK(cubic_points[2] == HPoint<Exact>(Exact::ratio(8, 3), Exact::ratio(8, 3), 0, 1));
 }
