@@ -164,8 +164,6 @@ void Player::notice(std::string text) {
 
 // ---- what is lit ----------------------------------------------------------------------------------------------------
 
-void Player::hover(const Link& link, std::string_view) { hovered_ = link; }
-
 void Player::pin(const Link& link) {
   if (!link || is_pinned(link)) {
     pin_.reset();

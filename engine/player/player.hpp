@@ -83,7 +83,7 @@ class Player {
   const std::string& notice() const { return notice_; }
 
   // ---- what is lit ------------------------------------------------------------------------------------------------
-  void hover(const Link&, std::string_view panel);  // of this frame; none when nothing is
+  void hover(const Link& link) { hovered_ = link; }  // of this frame; none when nothing is
   const Link& hovered() const { return hovered_; }
   void pin(const Link&);  // again: takes it off; none: all off
   Link pinned() const;    // in the run as it is now

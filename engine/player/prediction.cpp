@@ -76,12 +76,6 @@ std::size_t Prediction::answered() const {
   return static_cast<std::size_t>(std::ranges::count_if(attempts_, [](const auto& a) { return a.has_value(); }));
 }
 
-std::optional<std::size_t> Prediction::next_after(std::uint32_t step) const {
-  for (std::size_t q = 0; q < questions_.size(); ++q)
-    if (!attempts_[q] && questions_[q].step > step) return q;
-  return std::nullopt;
-}
-
 bool Prediction::rebind(const TraceGraph& graph) {
   for (Question& question : questions_) {
     const auto value = graph.find(question.name);

@@ -50,8 +50,6 @@ class Prediction {
   // The first question that is not answered; nothing when all are.
   std::optional<std::size_t> open() const;
   std::size_t answered() const;  // how many, shown ones among them
-  // The first unanswered question whose step comes after this one: what to ask before going on.
-  std::optional<std::size_t> next_after(std::uint32_t step) const;
   // Whether going to this step would show the answer to an open question; of those marked at the end, to any.
   bool veiled(std::uint32_t step) const;
 

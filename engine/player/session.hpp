@@ -51,7 +51,7 @@ class Session {
   // the inputs were edited the algorithm's own words come first, and these stand in `lesson`.
   struct Words {
     std::string text;
-    std::string lesson;  // what the lesson said of its own numbers; empty while they are what one sees
+    std::string lesson;  // what the lesson says, written for its own numbers; empty while these are what one sees
   };
   Words words() const;
   const std::vector<Beat>& beats() const { return beats_; }

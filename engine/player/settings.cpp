@@ -62,11 +62,13 @@ void visit(S& settings, Visitor&& visitor) {
   visitor.files("recent", settings.recent);
 }
 
-bool is_known_theme(std::string_view name) { return std::ranges::find(known_themes, name) != known_themes.end(); }
+bool is_known_theme(std::string_view name) {
+  return std::ranges::find(theme_list, name, &ThemeName::name) != theme_list.end();
+}
 
 struct Bounding {
   static void theme(const char*, std::string& name) {
-    if (!is_known_theme(name)) name = known_themes.front();
+    if (!is_known_theme(name)) name = theme_list.front().name;
   }
   static void flag(const char*, bool&) {}
   template <class T>
@@ -121,7 +123,9 @@ struct Reading {
       name = *text;
       return;
     }
-    const auto near = did_you_mean(*text, {known_themes.begin(), known_themes.end()});
+    std::vector<std::string> names;
+    for (const ThemeName& known : theme_list) names.emplace_back(known.name);
+    const auto near = did_you_mean(*text, names);
     at->error("no theme is called " + excerpt(*text) +
               (near ? "; did you mean " + excerpt(*near) + "?" : "; there are light, dark and contrast"));
   }

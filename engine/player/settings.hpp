@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/diagnostics.hpp"
+#include "scene/theme_list.hpp"
 
 namespace blossom {
 
@@ -23,13 +24,12 @@ struct Places {
 // nothing is kept.
 Places xdg_places();
 
-inline constexpr std::array<std::string_view, 3> known_themes{"light", "dark", "contrast"};
 inline constexpr std::size_t most_recent = 12;
 
 struct Settings {
-  std::string theme = "light";  // one of known_themes
-  double text_scale = 1;        // 0.75 to 3
-  bool exact = true;            // fractions; otherwise decimals
+  std::string theme{theme_list.front().name};  // one of theme_list
+  double text_scale = 1;                       // 0.75 to 3
+  bool exact = true;                           // fractions; otherwise decimals
   bool reduced_motion = false;
   double speed = 1;  // steps a second, 0.1 to 10
   bool snap = false;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/theme_list.hpp"
+
 namespace blossom {
 namespace {
 
@@ -53,9 +55,9 @@ struct Paint {
   std::uint32_t color, ink;
 };
 
-Theme make_theme(std::string name, std::uint32_t background, double width_factor, double text_factor,
+Theme make_theme(std::string_view name, std::uint32_t background, double width_factor, double text_factor,
                  const std::array<Paint, role_count>& paints) {
-  Theme theme{std::move(name), rgb(background), {}};
+  Theme theme{std::string(name), rgb(background), {}};
   for (std::size_t i = 0; i < forms.size(); ++i) {
     const Form& form = forms[i];
     theme.roles[i] = {rgb(paints[i].color),
@@ -70,9 +72,9 @@ Theme make_theme(std::string name, std::uint32_t background, double width_factor
   return theme;
 }
 
-const std::array<Theme, 3>& themes() {
-  static const std::array<Theme, 3> all = {
-      make_theme("light", 0xFFFFFF, 1, 1,
+const std::array<Theme, theme_list.size()>& themes() {
+  static const std::array<Theme, theme_list.size()> all = {
+      make_theme(theme_list[0].name, 0xFFFFFF, 1, 1,
                  {{{0xE9ECF0, 0x5B6470}, {0xA3ABB6, 0x5B6470}, {0x20262E, 0x20262E}, {0x009E73, 0x00704F},
                    {0x8A93A0, 0x545D69}, {0x4A535F, 0x37404B}, {0xAAB2BD, 0x646D79}, {0x0072B2, 0x00669F},
                    {0xA8558A, 0x8F3F72}, {0x5E7A1E, 0x4F6A12}, {0x0072B2, 0x00669F}, {0xD55E00, 0xAD4700},
@@ -80,7 +82,7 @@ const std::array<Theme, 3>& themes() {
                    {0x9CC3E4, 0x2F5F86}, {0x4C7FA8, 0x2F5F86}, {0xF3F5F8, 0x37404B}, {0xD5DAE1, 0x5B6470},
                    {0x20262E, 0x20262E}, {0x5B6470, 0x5B6470}, {0x0E1318, 0x0E1318}, {0xAD4700, 0xAD4700},
                    {0x7B3FE4, 0x5F27BD}, {0x00875F, 0x00704F}, {0xB3261E, 0xA3201A}, {0x003A85, 0x003A85}}}),
-      make_theme("dark", 0x14181F, 1, 1,
+      make_theme(theme_list[1].name, 0x14181F, 1, 1,
                  {{{0x242A34, 0x9AA5B4}, {0x5A6577, 0x9AA5B4}, {0xF2F4F7, 0xF2F4F7}, {0x2FCB9B, 0x3DD6A7},
                    {0x7B8798, 0xA9B4C3}, {0xC3CBD6, 0xD5DBE4}, {0x59647A, 0x96A2B3}, {0x56B4E9, 0x6BBDEC},
                    {0xE08CC0, 0xE79CCB}, {0xB5CC55, 0xC0D46C}, {0x56B4E9, 0x6BBDEC}, {0xFF8A3D, 0xFF9A57},
@@ -89,7 +91,7 @@ const std::array<Theme, 3>& themes() {
                    {0xE6EAF0, 0xE6EAF0}, {0x9AA5B4, 0x9AA5B4}, {0xFFFFFF, 0xFFFFFF}, {0xFF9A57, 0xFF9A57},
                    {0xFFE94A, 0xFFE94A}, {0x2FCB9B, 0x3DD6A7}, {0xFF6B5E, 0xFF8A7F}, {0x8AB4FF, 0x8AB4FF}}}),
       // For projectors and tired eyes: black on white, strokes half as wide again, larger letters.
-      make_theme("contrast", 0xFFFFFF, 1.5, 1.12,
+      make_theme(theme_list[2].name, 0xFFFFFF, 1.5, 1.12,
                  {{{0xDEDEDE, 0x303030}, {0x505050, 0x303030}, {0x000000, 0x000000}, {0x00694C, 0x005A41},
                    {0x5A5A5A, 0x202020}, {0x000000, 0x000000}, {0x8A8A8A, 0x404040}, {0x0050A0, 0x004486},
                    {0x8A2C6C, 0x7A2460}, {0x3F5A00, 0x364E00}, {0x0050A0, 0x004486}, {0xC23B00, 0x962D00},

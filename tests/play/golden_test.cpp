@@ -1,6 +1,4 @@
 // The whole window as a picture that was looked at and found good; see tests/golden/README.md.
-#include <cstdlib>
-
 #include "app/program.hpp"
 #include "block_difference.hpp"
 
@@ -18,20 +16,9 @@ TEST_CASE("The golden pictures of the window") {
   for (const auto& entry : fs::directory_iterator(scratch / "out")) {
     if (!entry.path().filename().string().starts_with("window-")) continue;
     ++count;
-    const fs::path file = fs::path(tests + "golden") / entry.path().filename();
     const auto made = read_png(entry.path());
     REQUIRE(made);
-    if (std::getenv("BLOSSOM_UPDATE_GOLDEN") != nullptr) {
-      fs::copy_file(entry.path(), file, fs::copy_options::overwrite_existing);
-      WARN("written: " << file);
-      continue;
-    }
-    INFO(file << " differs; if that is meant: BLOSSOM_UPDATE_GOLDEN=1");
-    const auto kept = read_png(file);
-    INFO(to_string(kept.diagnostics));
-    REQUIRE(kept);
-    CHECK(difference(*made, *kept).mean < 2);
-    CHECK(block_difference(*made, *kept) <= tolerated_difference);
+    check_golden(tests + "golden/" + entry.path().filename().string(), *made);
   }
   CHECK(count == 4);
 }

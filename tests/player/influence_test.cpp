@@ -5,6 +5,7 @@
 
 #include "algorithms/inputs.hpp"
 #include "kernel/basis.hpp"
+#include "player/inputs.hpp"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -16,7 +17,7 @@ template <Scalar S>
 struct Recorded {
   Recorded(const char* algorithm, const Inputs<Exact>& inputs)
       : run(made(algorithm, inputs)), narrator(run), source(make_source(narrator)) {}
-  Recorded(const char* algorithm, const std::string& inputs) : Recorded(algorithm, read(algorithm, inputs)) {}
+  Recorded(const char* algorithm, const std::string& inputs) : Recorded(algorithm, inputs_from(algorithm, inputs)) {}
   Recorded(const Recorded&) = delete;
 
   ValueId operator[](const std::string& name) const {
@@ -48,15 +49,6 @@ struct Recorded {
     INFO(to_string(run.diagnostics));
     REQUIRE(run);
     return std::move(*run);
-  }
-  static Inputs<Exact> read(const char* algorithm, const std::string& text) {
-    const auto document = JsonDocument::parse("inputs", text);
-    REQUIRE(document);
-    Diagnostics diagnostics;
-    const auto inputs = read_inputs(*find_algorithm(algorithm), Cursor(*document, diagnostics));
-    INFO(to_string(diagnostics));
-    REQUIRE(inputs);
-    return *inputs;
   }
 };
 

@@ -1,28 +1,12 @@
 // What goes wrong in real life: files that change under one's hands, runs that differ, edits that must not be lost.
-#include <catch2/catch.hpp>
-#include <fstream>
-
-#include "player/desk.hpp"
-#include "player/state.hpp"
+#include "player/doing.hpp"
 
 using namespace blossom;
 using namespace blossom::test;
-namespace fs = std::filesystem;
 
 namespace {
 
 void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-bool move(Player& player, std::size_t point, int x, int y) {
-  const Session& s = *player.session();
-  return player.edit(
-      move_point(s.algorithm(), s.inputs(), {"curve", 0, point}, Point<Exact>(Exact(x), Exact(y), Exact(0))), "move");
-}
 
 // 1/3 and its first 26 decimals are one double: in decimals the profiles have one knot there, in fractions two.
 constexpr const char* nearly_equal_knots =

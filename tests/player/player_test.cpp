@@ -7,75 +7,10 @@
 #include <catch2/catch.hpp>
 
 #include "player/action.hpp"
-#include "player/desk.hpp"
-#include "player/state.hpp"
+#include "player/doing.hpp"
 
 using namespace blossom;
 using namespace blossom::test;
-namespace fs = std::filesystem;
-
-namespace {
-
-const fs::path de_boor = "lessons/05-de-boor.json";
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  INFO("no " << from << " in\n" << text);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
-void open(Player& player, const fs::path& file) {
-  const bool opened = player.open(fs::absolute(file));
-  INFO(to_string(player.problems().list));
-  REQUIRE(opened);
-}
-
-std::string state(Player& player, const std::string& key) {
-  const auto is = state_of(player, key);
-  INFO("no " << key);
-  REQUIRE(is);
-  return *is;
-}
-
-void go_to(Player& player, const std::string& value) {
-  const auto v = player.session()->recording().graph().find(value);
-  INFO(value);
-  REQUIRE(v);
-  player.seek(player.session()->recording().graph().value(*v).step);
-}
-
-// What the step makes.
-std::string made(const Player& player) {
-  const TraceGraph& graph = player.session()->recording().graph();
-  const ValueId v = graph.main_value(player.session()->step());
-  return v == absent ? "" : graph.name(v);
-}
-
-bool set_u(Player& player, const Exact& u, const std::string& gesture = {}) {
-  return player.edit(set_number(player.session()->algorithm(), player.session()->inputs(), "u", u), "u", gesture);
-}
-
-bool move(Player& player, std::size_t point, int x, int y, const std::string& gesture = {}) {
-  return player.edit(move_point(player.session()->algorithm(), player.session()->inputs(), {"curve", 0, point},
-                                Point<Exact>(Exact(x), Exact(y), Exact(0))),
-                     "move a point", gesture);
-}
-
-void let_pass(Player& player, double seconds) {
-  for (double t = 0; t < seconds; t += 0.1) player.advance(0.1);
-}
-
-Link link_to(const Player& player, const std::string& value) {
-  return {Link::Kind::value, player.session()->recording().graph().find(value).value()};
-}
-
-}  // namespace
 
 // ---- what is open ---------------------------------------------------------------------------------------------------
 
@@ -434,128 +369,6 @@ TEST_CASE("Where one was, one's bookmarks and settings are there the next time")
   CHECK(state(player, "step") == "0");
 }
 
-// ---- predicting -----------------------------------------------------------------------------------------------------
-
-TEST_CASE("While one predicts, no move goes beyond the open question") {
-  World world;
-  Player& player = world.player();
-  open(player, "exercises/05-de-boor.json");
-  const Prediction& prediction = *player.session()->prediction();
-  const std::uint32_t before = prediction.questions()[0].step - 1;
-  for (const char* action : {"step.last", "step.forward", "step.over", "step.out", "step.next_mark"}) {
-    for (int i = 0; i < 80; ++i) perform(player, action);
-    INFO(action);
-    CHECK(player.session()->step() <= before);
-  }
-  player.seek(player.session()->last());
-  CHECK(player.session()->step() == before);
-  CHECK(player.tab == "predict");
-  CHECK_FALSE(player.notice().empty());
-  player.session()->move([](Timeline& t) { return t.play(), true; });
-  let_pass(player, 5);
-  CHECK(player.session()->step() == before);
-  CHECK_FALSE(player.session()->timeline().playing());
-}
-
-TEST_CASE("An answer is typed, refused while it has not the right shape, and taken") {
-  World world;
-  Player& player = world.player();
-  open(player, "exercises/05-de-boor.json");
-  const auto question = player.asked();
-  REQUIRE(question == std::size_t{0});
-  player.set_draft(0, "two fifths");
-  player.submit_draft();
-  CHECK_FALSE(player.draft().problem.empty());
-  CHECK(player.asked() == question);
-  player.set_draft(0, "1");
-  CHECK(player.draft().problem.empty());  // typing on, one is no longer told off
-
-  const Prediction& prediction = *player.session()->prediction();
-  const Question& asked = prediction.questions()[*question];
-  const auto& right = prediction.exercise().parts[asked.part].right;
-  for (std::size_t i = 0; i < right.size(); ++i) player.set_draft(i, right[i].to_string());
-  player.submit_draft();
-  REQUIRE(prediction.attempt(*question));
-  CHECK(player.asked() == std::size_t{1});
-  CHECK(player.draft().numbers.empty());
-  if (prediction.marking() == Marking::at_once) CHECK(player.session()->step() == asked.step);
-  // Undo is the answers' now.
-  REQUIRE(perform(player, "edit.undo"));
-  CHECK(player.asked() == question);
-  CHECK(prediction.undos() == 1);
-}
-
-TEST_CASE("Show me shows the chosen question, and a lesson goes on to its step") {
-  World world;
-  Player& player = world.player();
-  open(player, "exercises/05-de-boor.json");
-  const Prediction& exercise = *player.session()->prediction();
-  const std::size_t last = exercise.questions().size() - 1;
-  player.choose_question(last);
-  player.show_me();
-  REQUIRE(exercise.attempt(last));
-  CHECK(exercise.attempt(last)->shown);
-  CHECK_FALSE(exercise.attempt(0));
-  CHECK(player.last_said() == last);
-  CHECK(player.asked() == std::size_t{0});
-  CHECK(player.session()->step() == 0);
-
-  open(player, de_boor);
-  player.start_predicting();
-  player.show_me();
-  CHECK(player.session()->step() == player.session()->prediction()->questions()[0].step);
-}
-
-TEST_CASE("Answers are lost, and open questions given up, only after one was asked") {
-  World world;
-  Player& player = world.player();
-  open(player, "exercises/05-de-boor.json");
-  player.set_draft(0, "4");
-  player.submit_draft();
-  player.stop_predicting();
-  CHECK(player.doubt() == Player::Doubt::stop);
-  player.resolve_doubt(false);
-  REQUIRE(player.session()->prediction() != nullptr);
-  CHECK(player.session()->prediction()->answered() == 1);
-  player.finish_predicting();
-  CHECK_FALSE(player.session()->prediction()->finished());
-  player.resolve_doubt(true);
-  CHECK(player.session()->prediction()->finished());
-  CHECK_FALSE(player.asked());
-  player.stop_predicting();
-  player.resolve_doubt(true);
-  CHECK(player.session()->prediction() == nullptr);
-  player.start_predicting();
-  player.stop_predicting();  // nothing is lost
-  CHECK(player.session()->prediction() == nullptr);
-}
-
-TEST_CASE("A pair that is typed into one field fills both, and an answer is seen again where its question is") {
-  World world;
-  Player& player = world.player();
-  open(player, "exercises/05-de-boor.json");
-  const Prediction& prediction = *player.session()->prediction();
-  const auto point = static_cast<std::size_t>(std::ranges::find(prediction.questions(), "P[1][3]", &Question::name) -
-                                              prediction.questions().begin());
-  player.choose_question(point);
-  player.set_draft(0, "(16, 20)");
-  CHECK(player.draft().numbers == std::vector<std::string>{"16", "20"});
-  player.submit_draft();
-  player.choose_question(point);
-  player.set_draft(1, "21");
-  CHECK(player.draft().numbers == std::vector<std::string>{"16", "21"});
-}
-
-TEST_CASE("An edit ends the prediction: its questions were about other numbers") {
-  World world;
-  Player& player = world.player();
-  open(player, de_boor);
-  REQUIRE(perform(player, "predict.toggle"));
-  CHECK(state(player, "predicting") == "yes");
-  REQUIRE(move(player, 3, 40, 20));
-  CHECK(state(player, "predicting") == "no");
-}
-
 // ---- time and motion ------------------------------------------------------------------------------------------------
 
 TEST_CASE("A step moves for a moment, another one interrupts it, and motion can be switched off") {
@@ -609,7 +422,7 @@ TEST_CASE("What one points at is lit, with its ancestors by their shares, which 
   Player& player = world.player();
   open(player, de_boor);
   go_to(player, "P[3][4]");
-  player.hover(link_to(player, "P[3][4]"), "tableau");
+  player.hover(link_to(player, "P[3][4]"));
   const Emphasis& emphasis = player.emphasis();
   CHECK(emphasis.lights(link_to(player, "P[3][4]").id));
   const auto& inputs_shares = emphasis.shares;
@@ -620,7 +433,7 @@ TEST_CASE("What one points at is lit, with its ancestors by their shares, which 
       sum += share;
   CHECK(sum == Approx(1));
   CHECK(state(player, "hovered") == "P[3][4]");
-  player.hover({}, "");
+  player.hover({});
   CHECK(player.emphasis().shares.empty());
 }
 

@@ -1,6 +1,4 @@
 // One step of each algorithm as a picture that was looked at and found good; see tests/golden/README.md.
-#include <cstdlib>
-
 #include "base/json.hpp"
 #include "block_difference.hpp"
 #include "render/picture.hpp"
@@ -45,18 +43,7 @@ constexpr int tolerated = tolerated_difference;
 TEST_CASE("The golden pictures") {
   for (const Golden& golden : goldens) {
     const auto file = std::string(BLOSSOM_SOURCE_DIR) + "/tests/golden/" + golden.lesson + "-" + golden.theme + ".png";
-    const Image made = draw(golden_scene(golden), golden.theme);
-    if (std::getenv("BLOSSOM_UPDATE_GOLDEN") != nullptr) {
-      REQUIRE(write_png(file, made));
-      WARN("written: " << file);
-      continue;
-    }
-    INFO(file << " differs; if that is meant: BLOSSOM_UPDATE_GOLDEN=1");
-    const auto kept = read_png(file);
-    INFO(to_string(kept.diagnostics));
-    REQUIRE(kept);
-    CHECK(difference(made, *kept).mean < 2);
-    CHECK(block_difference(made, *kept) <= tolerated);
+    check_golden(file, draw(golden_scene(golden), golden.theme));
   }
 }
 

@@ -1,4 +1,6 @@
 // How things are looked at.
+#include <algorithm>
+
 #include "player/action.hpp"
 #include "player/player.hpp"
 
@@ -106,7 +108,9 @@ const ActionGroup& actions_view() {
            "Next theme",
            {"T"},
            [](Player& p) {
-             theme(p, p.settings.theme == "light" ? "dark" : (p.settings.theme == "dark" ? "contrast" : "light"));
+             const auto now = std::ranges::find(theme_list, p.settings.theme, &ThemeName::name);
+             p.settings.theme =
+                 (now == theme_list.end() || now + 1 == theme_list.end() ? theme_list.front() : now[1]).name;
            }},
           {"view.settings", "Settings ...", {"Ctrl+,"}, [](Player& p) { p.dialog = Dialog::settings; }},
       }};

@@ -25,15 +25,13 @@ void theme_sample(const Ui& ui, const Theme& theme, ImVec2 at) {
 
 void themes(Ui& ui) {
   ui.heading("Colours");
-  const std::pair<const char*, const char*> all[] = {
-      {"light", "Light"}, {"dark", "Dark"}, {"contrast", "High contrast"}};
-  for (const auto& [name, label] : all) {
+  for (const auto& [name, title] : theme_list) {
     const auto theme = find_theme(name);
     if (!theme) continue;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     theme_sample(ui, **theme, at);
     ImGui::SetCursorScreenPos({at.x + ui.px(68), at.y});
-    if (ImGui::RadioButton(label, ui.player().settings.theme == name))
+    if (ImGui::RadioButton(std::string(title).c_str(), ui.player().settings.theme == name))
       ui.send([theme_name = std::string(name)](Player& player) { player.settings.theme = theme_name; });
     ui.thing("settings " + std::string(name));
   }

@@ -52,7 +52,7 @@ void draw_slider(Ui& ui, InputFields& fields, const std::string& name, const Exa
     const auto x = from + length * static_cast<float>((curve.knots[i].to_double() - low) / (high - low));
     ImGui::GetWindowDrawList()->AddLine({x, far.y - ui.px(5)}, {x, far.y}, ui.ink(Role::text_quiet), ui.px(1));
   }
-  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ui.light({Link::Kind::parameter, 0}, "inputs");
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ui.light({Link::Kind::parameter, 0});
   if (moved) {
     const double unit = (high - low) / length;  // a pixel
     Exact to = std::clamp(snapped(at, unit), a, b);
@@ -74,7 +74,7 @@ void draw_number(Ui& ui, InputFields& fields, const InputSpec& spec, const Exact
   if (fields.number({name, name, value, NumberStyle::parameter, ui.px(90)}, [name](const Session& s, const Exact& x) {
         return set_number(s.algorithm(), s.inputs(), name, x);
       }))
-    ui.light({Link::Kind::parameter, 0}, "inputs");
+    ui.light({Link::Kind::parameter, 0});
   const Inputs<Exact>& inputs = ui.player().session()->inputs();
   const auto curves = curves_of(inputs);
   if (curves.empty()) return fields.say();

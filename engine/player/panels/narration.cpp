@@ -29,7 +29,7 @@ void draw(Ui& ui) {
   // An exercise says what it asks.
   if (const std::string prompt = prompt_of(session); !prompt.empty()) say(prompt, 1, Role::text_strong);
   say(words.text, text_size, Role::text);
-  if (!words.lesson.empty()) say("The lesson, of its own numbers: " + words.lesson, 0.9, Role::text_quiet);
+  if (!words.lesson.empty()) say("The lesson, written for its own numbers: " + words.lesson, 0.9, Role::text_quiet);
 }
 
 double wanted(const Ui& ui, double width) {

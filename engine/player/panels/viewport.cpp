@@ -169,7 +169,7 @@ void draw_held(Ui& ui, const Mouse& mouse, ImVec2 low, ImVec2 high) {
     return ImVec2{mouse.origin.x + ui.px(at.x + 14), mouse.origin.y + ui.px(at.y + 14)};
   };
   if (const auto* stuck = std::get_if<StuckGrip>(player.held())) {  // a notice says why
-    if (const auto v = source.graph->find(stuck->name)) ui.light({Link::Kind::value, *v}, "viewport");
+    if (const auto v = source.graph->find(stuck->name)) ui.light({Link::Kind::value, *v});
     return;
   }
   // In the very corner, where the fitted picture leaves room.
@@ -182,7 +182,7 @@ void draw_held(Ui& ui, const Mouse& mouse, ImVec2 low, ImVec2 high) {
   const auto at =
       v && source.points[*v] ? to_page(player.shown_camera(), mouse.size, *source.points[*v]) : std::nullopt;
   if (!at) return;
-  ui.light({Link::Kind::value, *v}, "viewport");
+  ui.light({Link::Kind::value, *v});
   const bool refused = !session.rejected().empty();
   draw_tag(ui, list, beside(*at),
            refused ? session.rejected()[0].message

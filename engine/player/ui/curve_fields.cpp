@@ -98,7 +98,7 @@ void draw_point_name(Ui& ui, const std::string& name, std::size_t i, std::option
                with_subscript("P", i).c_str());
   if (lit) ImGui::PopFont();
   if (hovered && value) {
-    ui.light(link, "inputs");
+    ui.light(link);
     if (ImGui::IsMouseClicked(1)) ui.open_menu(link);
   }
   if (clicked && value) ui.send([link](Player& player) { player.pin(link); });
@@ -139,7 +139,7 @@ void draw_point(Ui& ui, InputFields& fields, const CurveAddress& address, const 
       {in_list(path, "weights", i), name + " weight", curve.points[i].w, NumberStyle::parameter, columns.number,
        !curve.rational},
       [point](const Session& s, const Exact& w) { return set_weight(s.algorithm(), s.inputs(), point, w); });
-  if (over && value) ui.light({Link::Kind::value, *value}, "inputs");
+  if (over && value) ui.light({Link::Kind::value, *value});
 
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
   column(columns.button_x(0));
@@ -251,7 +251,7 @@ void draw_knots(Ui& ui, InputFields& fields, const CurveAddress& address, const 
       const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + span(count), low.y + line};
       if (lit) list.AddRectFilled(low, high, ui.color(Role::highlight, 0.25), ui.px(4));
       list.AddRect(low, high, ui.color(Role::rule_line), ui.px(4), 0, ui.px(1));
-      if (first_curve && ImGui::IsMouseHoveringRect(low, high) && ImGui::IsWindowHovered()) ui.light(link, "inputs");
+      if (first_curve && ImGui::IsMouseHoveringRect(low, high) && ImGui::IsWindowHovered()) ui.light(link);
       for (std::size_t k = 0; k < count; ++k) {
         const std::size_t index = i + k;
         const float at = x + pad + static_cast<float>(k) * (width + gap);

@@ -91,13 +91,12 @@ void Ui::frame(double seconds, bool drawn) {
   sheet_spots_.clear();
   pictures_.clear();
   hovered_ = {};
-  hovered_panel_.clear();
   draw_panels();
   draw_menu();
   ImGui::Render();
   cursor_ = ImGui::GetMouseCursor();
   if (hovered_ != player_->hovered()) {
-    send([link = hovered_, panel = hovered_panel_](Player& player) { player.hover(link, panel); });
+    send([link = hovered_](Player& player) { player.hover(link); });
     redraw();
   }
   frame_parts_.panels = watch.lap();
@@ -430,7 +429,6 @@ const Spot* Ui::sheet(std::string_view panel, Sheet sheet, double width, double 
   }
   if (found == nullptr) return nullptr;
   hovered_ = found->link;
-  hovered_panel_ = panel;
   if (!options.clickable) return found;
   if (ImGui::IsMouseClicked(1)) {
     open_menu(found->link);

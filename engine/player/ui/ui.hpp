@@ -76,7 +76,7 @@ class Ui {
   // A sheet likewise, with its spots alive: hovering lights, clicking pins. What the mouse is over, or nullptr.
   const Spot* sheet(std::string_view panel, Sheet, double width, double height, const SheetOptions& = {});
   // As if the mouse were over it.
-  void light(const Link& link, std::string_view panel) { hovered_ = link, hovered_panel_ = panel; }
+  void light(const Link& link) { hovered_ = link; }
   // The menu of a value: what can be done with it. Called by whoever right-clicks.
   void open_menu(const Link&);
   // Names ImGui's last item (or a rectangle in pixels) for scripts.
@@ -167,7 +167,6 @@ class Ui {
   std::map<std::string, std::vector<Spot>> sheet_spots_;  // of the last frame, in pixels, for the keyboard
   std::vector<Spot> kept_spots_;
   Link hovered_;  // of this frame
-  std::string hovered_panel_;
   std::map<std::string, std::pair<std::uint64_t, std::uint32_t>> seen_steps_;
   Link menu_link_;
   bool menu_requested_ = false;
