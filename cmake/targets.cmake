@@ -21,6 +21,12 @@ if(BLOSSOM_SANITIZE)
                                                  -fno-omit-frame-pointer)
   target_link_options(blossom_flags INTERFACE -fsanitize=address,undefined)
 endif()
+if(BLOSSOM_FUZZ)
+  # Counters for libFuzzer in everything; only the targets themselves get its main.
+  target_compile_options(blossom_flags INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+                                                 -fno-omit-frame-pointer)
+  target_link_options(blossom_flags INTERFACE -fsanitize=address,undefined)
+endif()
 
 # blossom_library(base DEPENDS geometry kernel ...): libblossom_base.a of every *.cpp in this folder. DEPENDS are other
 # Blossom folders or CMake targets; they are the only headers-with-code this folder may use.
@@ -66,4 +72,22 @@ const std::vector<const @ARG_TYPE@*>& @ARG_FUNCTION@() {
 }  // namespace blossom
 ]] @ONLY)
   target_sources(${target} PRIVATE ${table})
+endfunction()
+
+# blossom_texts(target HEADER grader/page/assets.hpp FILES a.css b.js): the files' contents as constants a_css, b_js in
+# namespace blossom::assets, in a header of the build folder, so that programs carry what they need with them.
+function(blossom_texts target)
+  cmake_parse_arguments(ARG "" "HEADER" "FILES" ${ARGN})
+  set(constants "")
+  foreach(file IN LISTS ARG_FILES)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    get_filename_component(name ${file} NAME)
+    string(REPLACE "." "_" name ${name})
+    string(REPLACE "-" "_" name ${name})
+    file(READ ${file} content)
+    string(APPEND constants "inline constexpr std::string_view ${name} = R\"blossom(${content})blossom\";\n")
+  endforeach()
+  set(header ${CMAKE_CURRENT_BINARY_DIR}/texts/${ARG_HEADER})
+  file(CONFIGURE OUTPUT ${header} CONTENT "#pragma once\n#include <string_view>\n\nnamespace blossom::assets {\n@constants@}  // namespace blossom::assets\n" @ONLY)
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/texts)
 endfunction()

@@ -87,18 +87,23 @@ std::optional<std::string> nearest_asked(const Exercise& exercise, const std::st
 }
 
 Answers match_answers(const Exercise& exercise, const Checked<JsonDocument>& document) {
+  if (document) return match_answers(exercise, document->root());
+  Answers answers;
+  answers.reason = "cannot be read";
+  if (!document.diagnostics.empty()) {
+    Diagnostic first = document.diagnostics.front();
+    first.file.clear();  // the author knows it, and it is a path of another machine
+    answers.reason = to_string(first);
+  }
+  return answers;
+}
+
+Answers match_answers(const Exercise& exercise, const Json& root) {
   Answers answers;
   const auto invalid = [&](std::string reason) {
     answers.reason = std::move(reason);
     return answers;
   };
-  if (!document) {
-    if (document.diagnostics.empty()) return invalid("cannot be read");
-    Diagnostic first = document.diagnostics.front();
-    first.file.clear();  // the author knows it, and it is a path of another machine
-    return invalid(to_string(first));
-  }
-  const Json& root = document->root();
   if (root.kind != Json::Kind::object)
     return invalid("must be an object {\"schema\", \"exercise\", \"answers\"}, not " + kind_of(root));
   const std::string* schema = string_at(root, "schema");
@@ -119,7 +124,7 @@ Answers match_answers(const Exercise& exercise, const Checked<JsonDocument>& doc
     if (++ignored <= most_notes) answers.notes.push_back(note());
   };
   for (const std::string& key : root.keys)
-    if (key != "schema" && key != "exercise" && key != "answers" && key != "$schema")
+    if (key != "schema" && key != "exercise" && key != "answers" && key != "student" && key != "$schema")
       ignore([&] { return "unknown key " + excerpt(key) + " was ignored"; });
   for (std::size_t i = 0; i < given->keys.size(); ++i) {
     if (const auto part = exercise.part(given->keys[i]))

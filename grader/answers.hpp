@@ -1,5 +1,5 @@
 #pragma once
-// What somebody handed in: {"schema": "blossom.answers/1", "exercise": id, "answers": {name: value, ...}}. A value is
+// What somebody handed in: {"schema": "blossom.answers/1", "exercise": id, "student"?: id, "answers": {name: value, ...}}. A value is
 //   a number                       3, -0.5, or as text "2/5", "0.4"
 //   a point                        an array of its coordinates
 //   a knot vector                  an array of any length
@@ -21,6 +21,7 @@ struct Answers {
 
 // Matches a document's answers with the parts they are for. The reason or the notes are for its author.
 Answers match_answers(const Exercise&, const Checked<JsonDocument>&);
+Answers match_answers(const Exercise&, const Json& root);
 
 // The asked value that `name` seems to misspell. Not one of other indices, which are as likely meant as they are typed;
 // none where `name` is another value of the run.

@@ -3,6 +3,13 @@
 #include <cmath>
 
 namespace blossom {
+namespace {
+
+// What the operands' rounding may grant, in tolerances: two digits lost on the way. Without a bound, a weight typed as
+// 0.00001 would make every point that is divided by it count as carried.
+constexpr double most_widening = 100;
+
+}  // namespace
 
 ReplayPlan::ReplayPlan(const Exercise& exercise) {
   const auto& trace = exercise.run.trace;
@@ -20,7 +27,8 @@ ReplayPlan::ReplayPlan(const Exercise& exercise) {
   std::ranges::reverse(order);
 }
 
-Replayed::Replayed(const Exercise& exercise, const ReplayPlan& plan) : exercise_(&exercise), plan_(&plan) {
+Replayed::Replayed(const Exercise& exercise, const ReplayPlan& plan, Rounding rounding)
+    : exercise_(&exercise), plan_(&plan), rounding_(rounding) {
   const auto& trace = exercise.run.trace;
   const std::size_t count = trace.value_count();
   own_.reserve(count);
@@ -63,9 +71,11 @@ void Replayed::put_in(ValueId v, const Part& part, const Given& given) {
   if (made.own.empty()) return;
   own_[v] = made.own;
   changed_[v] = std::ranges::equal(made.own, right) ? 0 : 1;
-  if (given.rounding.empty() || part.form == Form::weight) return;
+  if (given.rounding.empty() || rounding_ == Rounding::ignored || part.form == Form::weight) return;
   made.rounding = given.rounding;
   made.rounding.resize(made.own.size(), 0);
+  const auto d = static_cast<std::size_t>(part.dimension);
+  if (part.form == Form::homogeneous && d < 3) std::swap(made.rounding[d], made.rounding[3]);  // typed: x, y, w
   const bool weighted = part.rational && part.form == Form::affine && made.own.size() == 4;
   if (weighted)
     for (double& r : made.rounding) r *= std::abs(made.own[3].to_double());
@@ -171,10 +181,15 @@ std::vector<double> Replayed::widening(const Part& part) const {
   if (rounding.empty() || part.tolerance.kind == Tolerance::Kind::exact || part.form == Form::weight) return {};
   std::vector<double> wide(
       rounding.begin(), rounding.begin() + static_cast<std::ptrdiff_t>(std::min(rounding.size(), part.right.size())));
+  if (part.form == Form::homogeneous) wide.back() = rounding.back();
   if (part.kind == ValueKind::point && part.rational && part.form == Form::affine) {
     const double w = std::abs(expected_[part.value][3].to_double());
     for (double& r : wide) r = w > 0 ? r / w : 0;
   }
+  const auto expected = part.as_typed(expected_[part.value]);
+  double tolerated = 0;
+  for (const Exact& x : expected) tolerated = std::max(tolerated, slack(part.tolerance, x).to_double());
+  for (double& r : wide) r = std::min(r, most_widening * tolerated);
   return wide;
 }
 

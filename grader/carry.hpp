@@ -3,7 +3,7 @@
 // answered; every other one is made again by its rule, from what its operands are now. So `expected` of an answered
 // value is what the right rule gives on that person's own operands.
 //
-// The same replay with some rules replaced by wrong ones finds misconceptions: see diagnose.hpp.
+// The same replay with some rules replaced by wrong ones is what comes of misconceptions: see diagnose.hpp.
 
 #include <algorithm>
 #include <vector>
@@ -31,7 +31,9 @@ struct Given {
 
 class Replayed {
  public:
-  Replayed(const Exercise& exercise, const ReplayPlan& plan);
+  // Following the rounding of operands costs more than the values themselves.
+  enum class Rounding : std::uint8_t { followed, ignored };
+  Replayed(const Exercise& exercise, const ReplayPlan& plan, Rounding rounding = Rounding::followed);
 
   // Puts `given` in, one for each part, and makes the rest again. wrong(v) may make a value that is not given in place
   // of its rule; it returns no numbers where it does not apply.
@@ -76,6 +78,7 @@ class Replayed {
 
   const Exercise* exercise_;
   const ReplayPlan* plan_;
+  Rounding rounding_;
   std::vector<NumbersView<Exact>> own_;
   std::vector<NumbersView<Exact>> expected_;
   std::vector<char> changed_;
@@ -94,7 +97,7 @@ void Replayed::run(const std::vector<Given>& given, Wrong&& wrong) {
     if (from_changed) {
       if (!make(v, made.expected)) made.expected.clear();
       expected_[v] = made.expected;
-      made.expected_rounding = rounding_through_rule(v);
+      if (rounding_ == Rounding::followed) made.expected_rounding = rounding_through_rule(v);
     }
     const std::int32_t part = plan_->part_of[v];
     const Given* own = part == ReplayPlan::not_asked ? nullptr : &given[static_cast<std::size_t>(part)];

@@ -4,7 +4,9 @@
 
 #include "algorithms/narrate.hpp"
 #include "algorithms/selector.hpp"
+#include "grader/variant_spec.hpp"
 #include "lesson/document.hpp"
+#include "lesson/lesson.hpp"
 
 namespace blossom {
 namespace {
@@ -44,46 +46,25 @@ std::optional<Exact> share(const Cursor& at) {
   return number_in(at, Exact(0), Exact(1), "must be a share from 0 to 1");
 }
 
-std::optional<Tolerance> read_tolerance(const Cursor& at) {
-  constexpr int most_digits = 15;
-  Tolerance tolerance;
-  if (at.is(Json::Kind::string)) {
-    if (one_of<int>(at, {{"exact", 0}})) return tolerance;
-    return std::nullopt;
+// Whether a formula is said in words ("the index k of the span of U that holds u"), not written in symbols: it has two
+// words of letters alone. "(wx, wy) / w of P[2][0]" has one.
+bool is_sentence(std::string_view formula) {
+  int words = 0;
+  for (std::size_t begin = 0, end = 0; begin < formula.size(); begin = end + 1) {
+    end = std::min(formula.find(' ', begin), formula.size());
+    const std::string_view word = formula.substr(begin, end - begin);
+    words += word.size() > 1 && std::ranges::all_of(word, [](char c) { return 'a' <= c && c <= 'z'; });
   }
-  const std::vector<std::string> kinds{"decimals", "significant", "absolute", "relative"};
-  if (!at.is(Json::Kind::object) || at.size() != 1) {
-    at.error(
-        "must be \"exact\" or one of {\"decimals\": n}, {\"significant\": n}, {\"absolute\": x}, {\"relative\": x}");
-    return std::nullopt;
-  }
-  if (!at.expect_object(kinds)) return std::nullopt;
-  if (const auto digits = at.optional("decimals")) {
-    const auto n = digits->integer(0, most_digits);
-    if (!n) return std::nullopt;
-    return Tolerance{Tolerance::Kind::decimals, *n, 0};
-  }
-  if (const auto digits = at.optional("significant")) {
-    const auto n = digits->integer(1, most_digits);
-    if (!n) return std::nullopt;
-    return Tolerance{Tolerance::Kind::significant, *n, 0};
-  }
-  if (const auto amount = at.optional("absolute")) {
-    auto x = number_in(*amount, Exact(0), std::nullopt, "must not be negative");
-    if (!x) return std::nullopt;
-    return Tolerance{Tolerance::Kind::absolute, 0, std::move(*x)};
-  }
-  if (const auto amount = at.optional("relative")) {
-    const char* const rule = "must be at least 0 and below 1";
-    auto x = number_in(*amount, Exact(0), Exact(1), rule);
-    if (!x) return std::nullopt;
-    if (*x == Exact(1)) {
-      amount->error(std::string(rule) + ", or 0 would be right everywhere");
-      return std::nullopt;
-    }
-    return Tolerance{Tolerance::Kind::relative, 0, std::move(*x)};
-  }
-  return std::nullopt;
+  return words > 1;
+}
+
+// Whether Exact::parse reads some text of this number: a fraction or a decimal of at most 400 characters.
+bool has_text(const Exact& x) {
+  constexpr std::size_t longest = 400, longest_mantissa = 390;
+  if (x.to_string().size() <= longest) return true;
+  const Exact scaled = x * *Exact::parse("1e400");
+  const std::string digits = scaled.to_string();
+  return scaled.is_integer() && digits.find_last_not_of('0') < longest_mantissa;
 }
 
 class ExerciseReader {
@@ -92,7 +73,7 @@ class ExerciseReader {
 
   void read() {
     if (!root_.expect_object({"$schema", "schema", "id", "title", "prompt", "algorithm", "inputs", "ask", "tolerance",
-                              "carried", "partial", "feedback", "source", "unit", "marking"}))
+                              "carried", "partial", "feedback", "source", "unit", "marking", "vary"}))
       return;
     expect_schema(root_, "blossom.exercise/1");
     if (const auto at = root_.required("id")) exercise.id = read_id(*at).value_or("");
@@ -119,12 +100,18 @@ class ExerciseReader {
     }
     if (const auto at = root_.optional("marking")) exercise.marking = read_marking(*at).value_or(exercise.marking);
     const bool ran = run();
+    if (const auto at = root_.optional("prompt"); at && ran) fill_prompt(*at);
     const auto ask = root_.required("ask");
     if (!ask || !ask->expect_array(1, most_parts)) return;
     for (std::size_t i = 0; i < ask->size(); ++i) read_ask((*ask)[i], ran);
+    if (values_ > submission_limits.values || bytes_ > submission_limits.bytes)
+      ask->error("asks for more than can be handed in: a submission has at most " +
+                 std::to_string(submission_limits.values) + " values and " + std::to_string(submission_limits.bytes) +
+                 " bytes");
     if (const auto at = root_.optional("tolerance")) check_absolute(*at, exercise.tolerance, largest_);
     if (ran && !ask->has_errors() && exercise.max_points == Exact(0))
       ask->error("must be worth more than 0 points in all");
+    if (const auto at = root_.optional("vary"); at && ran) read_vary(*at, *root_.optional("inputs"), exercise);
   }
 
   Exercise exercise;
@@ -140,8 +127,27 @@ class ExerciseReader {
     return true;
   }
 
+  // Its placeholders name what is given: {u}, {P[0][1]}.
+  void fill_prompt(const Cursor& at) {
+    if (const auto open = open_brace(exercise.prompt))
+      return at.error("a { has no } behind it, at " + excerpt(std::string_view(exercise.prompt).substr(*open)));
+    const auto& trace = exercise.run.trace;
+    std::vector<std::string> unknown;
+    auto filled = narrator_->fill(exercise.prompt, 0, &unknown);
+    for (const std::string& placeholder : unknown) {
+      const std::string_view name = std::string_view(placeholder).substr(placeholder.starts_with('#') ? 1 : 0);
+      std::string message = excerpt("{" + placeholder + "}") + " names nothing that is given";
+      if (trace.find(name))
+        message += ": it is computed";
+      else if (const auto near = nearest_name(trace, name))
+        message += "; did you mean " + excerpt(*near) + "?";
+      at.error(message);
+    }
+    exercise.prompt = std::move(filled);
+  }
+
   void read_ask(const Cursor& at, bool ran) {
-    if (!at.expect_object({"value", "points", "form", "as", "tolerance", "feedback"})) return;
+    if (!at.expect_object({"value", "points", "form", "as", "tolerance", "feedback", "void"})) return;
     Part model;
     model.tolerance = exercise.tolerance;
     if (const auto points = at.required("points"))
@@ -158,6 +164,10 @@ class ExerciseReader {
       const auto found = one_of<bool>(*as, {{"set", true}, {"list", false}});
       model.as_set = found && *found;
     }
+    if (const auto voided = at.optional("void"))
+      model.voided =
+          one_of<Voided>(*voided, {{"credit", Voided::credit}, {"drop", Voided::drop}}).value_or(Voided::no);
+    if (model.voided == Voided::drop) model.points = 0;
     const auto own_tolerance = at.optional("tolerance");
     if (own_tolerance)
       if (auto found = read_tolerance(*own_tolerance)) model.tolerance = std::move(*found);
@@ -255,24 +265,92 @@ class ExerciseReader {
                   " is irrational and cannot be asked exactly; give a \"tolerance\" such as {\"decimals\": 4}");
       return;
     }
+    if (!can_be_typed(part)) {
+      value.error(json_quote(part.name) +
+                  " has more digits than can be typed; give a \"tolerance\" such as {\"significant\": 4}");
+      return;
+    }
     if (part.as_set) std::ranges::sort(part.right);
     for (const Exact& x : part.right) part.windows.push_back(window(part.tolerance, x));
-    part.formula = part.name + " = " + narrator_->formula(part.value);
+    const std::string formula = narrator_->formula(part.value), result = narrator_->value_text(part.value);
+    part.formula = part.name + " = " + formula;
     part.solution = part.name + " = ";
-    if (const auto with_numbers = narrator_->numbers(part.value); with_numbers.size() <= longest_formula)
-      part.solution += narrator_->formula(part.value) + " = " + with_numbers + " = ";
-    part.solution += narrator_->value_text(part.value);
+    if (is_sentence(formula)) {
+      part.solution += result + ", " + formula;
+    } else {
+      if (const auto with_numbers = narrator_->numbers(part.value); with_numbers.size() <= longest_formula)
+        part.solution += formula + " = " + (with_numbers == result ? "" : with_numbers + " = ");
+      part.solution += result;
+    }
     exercise.max_points += part.points;
     exercise.part_of_name.emplace(part.name, exercise.parts.size());
     exercise.parts.push_back(std::move(part));
   }
 
+  // Whether each right number is one that Exact::parse reads. Counts what the right answers take in a submission.
+  bool can_be_typed(const Part& part) {
+    constexpr std::size_t rounded = 25;  // a double's digits, where there is a tolerance
+    values_ += 1 + part.right.size();
+    bytes_ += part.name.size() + 8;
+    for (const Exact& x : part.right) {
+      const std::size_t size = x.to_string().size();
+      const bool exact = part.tolerance.kind == Tolerance::Kind::exact;
+      if (exact && !has_text(x)) return false;
+      bytes_ += 4 + (exact ? size : std::min(size, rounded));
+    }
+    return true;
+  }
+
   const Cursor& root_;
   std::optional<Narrator<Exact>> narrator_;
+  std::size_t values_ = 6;  // of the right answers as a submission: the object, "schema", "exercise", "answers", ...
+  std::size_t bytes_ = 200;
   Exact largest_ = 0;  // size of an asked number with the exercise's tolerance
 };
 
 }  // namespace
+
+std::optional<Tolerance> read_tolerance(const Cursor& at) {
+  constexpr int most_digits = 15;
+  Tolerance tolerance;
+  if (at.is(Json::Kind::string)) {
+    if (one_of<int>(at, {{"exact", 0}})) return tolerance;
+    return std::nullopt;
+  }
+  const std::vector<std::string> kinds{"decimals", "significant", "absolute", "relative"};
+  if (!at.is(Json::Kind::object) || at.size() != 1) {
+    at.error(
+        "must be \"exact\" or one of {\"decimals\": n}, {\"significant\": n}, {\"absolute\": x}, {\"relative\": x}");
+    return std::nullopt;
+  }
+  if (!at.expect_object(kinds)) return std::nullopt;
+  if (const auto digits = at.optional("decimals")) {
+    const auto n = digits->integer(0, most_digits);
+    if (!n) return std::nullopt;
+    return Tolerance{Tolerance::Kind::decimals, *n, 0};
+  }
+  if (const auto digits = at.optional("significant")) {
+    const auto n = digits->integer(1, most_digits);
+    if (!n) return std::nullopt;
+    return Tolerance{Tolerance::Kind::significant, *n, 0};
+  }
+  if (const auto amount = at.optional("absolute")) {
+    auto x = number_in(*amount, Exact(0), std::nullopt, "must not be negative");
+    if (!x) return std::nullopt;
+    return Tolerance{Tolerance::Kind::absolute, 0, std::move(*x)};
+  }
+  if (const auto amount = at.optional("relative")) {
+    const char* const rule = "must be at least 0 and below 1";
+    auto x = number_in(*amount, Exact(0), Exact(1), rule);
+    if (!x) return std::nullopt;
+    if (*x == Exact(1)) {
+      amount->error(std::string(rule) + ", or 0 would be right everywhere");
+      return std::nullopt;
+    }
+    return Tolerance{Tolerance::Kind::relative, 0, std::move(*x)};
+  }
+  return std::nullopt;
+}
 
 std::size_t Part::size() const {
   if (is_single()) return 1;

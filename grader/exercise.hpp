@@ -2,10 +2,12 @@
 // An exercise: a run of an algorithm of which some values are asked.
 //
 //   {"schema": "blossom.exercise/1", "id", "title", "prompt", "algorithm", "inputs",
-//    "ask": [{"value": selector, "points": n, "form"?, "as"?, "tolerance"?, "feedback"?: text}, ...],
+//    "ask": [{"value": selector, "points": n, "form"?, "as"?, "tolerance"?, "feedback"?: text,
+//             "void"?: "credit" | "drop"}, ...],
 //    "tolerance"?, "carried"?: 0..1, "partial"?: {"misconception"?: 0..1, "slip"?: 0..1}, "feedback"?, "source"?,
-//    "unit"?, "marking"?: "at-once" | "at-end"}
+//    "unit"?, "marking"?: "at-once" | "at-end", "vary"?: see variant.hpp}
 //
+// The prompt is a template of the run's first step (algorithms/narrate.hpp): "at u = {u}", "{P[0][1]}".
 // `points` are for each value the selector selects; of its values those that are given are left out.
 // exercises/exercise.schema.json describes every key.
 
@@ -35,6 +37,13 @@ enum class Feedback : std::uint8_t {
   full,     // and the right value with its formula
 };
 
+// A part that turned out to be at fault after it was handed out.
+enum class Voided : std::uint8_t {
+  no,
+  credit,  // everybody gets its points
+  drop,    // it counts for nobody: it is worth no points
+};
+
 // One asked value.
 struct Part {
   ValueId value = absent;
@@ -42,6 +51,7 @@ struct Part {
   ValueKind kind = ValueKind::scalar;
   Form form = Form::affine;
   bool as_set = false;  // a list in any order
+  Voided voided = Voided::no;
   Tolerance tolerance;
   Exact points = 0;
   std::string feedback;  // the exercise's own words to who gets it wrong
@@ -92,6 +102,9 @@ struct Exercise {
   std::optional<std::size_t> part(std::string_view name) const;
   std::unordered_map<std::string, std::size_t, NameHash, std::equal_to<>> part_of_name;
 };
+
+// "exact" or {"decimals": n} and so on; nothing, with a diagnostic, if it is no tolerance.
+std::optional<Tolerance> read_tolerance(const Cursor&);
 
 // Every mistake at once, at its line and column.
 Checked<Exercise> read_exercise(const JsonDocument&);

@@ -50,17 +50,16 @@ std::string advice_of(const Misconception& m) { return sentence(m.title) + " " +
 
 double Grade::score() const { return (points / exercise->max_points).to_double(); }
 
-Grader::Grader(Exercise exercise)
-    : exercise_(std::move(exercise)),
-      plan_(exercise_),
-      known_mistakes_(exercise_, plan_),
-      own_mistakes_(exercise_, plan_) {
+Grader::Grader(Exercise exercise) : exercise_(std::move(exercise)), plan_(exercise_), explainer_(exercise_, plan_) {
   const auto& trace = exercise_.run.trace;
   trace.find({});  // builds its index now, so that grading changes nothing
   Replayed right(exercise_, plan_);
   right.run(std::vector<Given>(exercise_.parts.size(), Given{Given::Kind::right}));
   const auto trivial = right.trivial();
-  for (const Part& part : exercise_.parts) right_is_trivial_.push_back(trivial[part.value]);
+  for (const Part& part : exercise_.parts) {
+    right_is_trivial_.push_back(trivial[part.value]);
+    any_voided_ = any_voided_ || part.voided != Voided::no;
+  }
 }
 
 // The answers that are not right, with what is known of them so far.
@@ -73,11 +72,18 @@ struct Grader::Open {
 };
 
 Grade Grader::grade(const Checked<JsonDocument>& document, std::string student) const {
+  return grade(match_answers(exercise_, document), std::move(student));
+}
+
+Grade Grader::grade(const Json& root, std::string student) const {
+  return grade(match_answers(exercise_, root), std::move(student));
+}
+
+Grade Grader::grade(Answers&& answers, std::string student) const {
   Grade grade;
   grade.exercise = &exercise_;
   grade.student = std::move(student);
   grade.parts.resize(exercise_.parts.size());
-  Answers answers = match_answers(exercise_, document);
   grade.notes = std::move(answers.notes);
   if (!answers.reason.empty()) {
     grade.reason = std::move(answers.reason);
@@ -96,12 +102,13 @@ Grade Grader::grade(const Checked<JsonDocument>& document, std::string student) 
       all_right = false;
     }
   }
-  if (!all_right) explain(answers, grade);
+  if (!all_right) look_closer(answers, grade);
+  if (any_voided_) settle_voided(grade);
   for (const PartGrade& part : grade.parts) grade.points += part.points;
   return grade;
 }
 
-void Grader::explain(const Answers& answers, Grade& grade) const {
+void Grader::look_closer(const Answers& answers, Grade& grade) const {
   const std::size_t count = exercise_.parts.size();
   Open open;
   open.typed.resize(count);
@@ -140,73 +147,137 @@ void Grader::explain(const Answers& answers, Grade& grade) const {
   if (any_open) judge(open, grade);
 }
 
+void Grader::settle(Grade& grade, std::size_t i, Verdict verdict, Exact points, std::string_view what,
+                    std::string_view note) const {
+  PartGrade& made = grade.parts[i];
+  made.verdict = verdict;
+  made.points = std::move(points);
+  made.feedback = feedback(exercise_.parts[i], verdict, what);
+  made.note = note;
+  made.misconception = verdict == Verdict::misconception ? note : std::string_view();
+}
+
 void Grader::judge(const Open& open, Grade& grade) const {
   const std::size_t count = exercise_.parts.size();
-  const auto settle = [&](std::size_t i, Verdict verdict, const Exact& share, std::string_view what,
-                          std::string_view id = {}) {
-    PartGrade& made = grade.parts[i];
-    made.verdict = verdict;
-    made.points = share * exercise_.parts[i].points;
-    made.misconception = id;
-    made.feedback = feedback(exercise_.parts[i], verdict, what);
-  };
-  std::vector<char> left = open.is_open;
-
-  // Carried: the right rule on their own values, as they meant them or as they wrote them down.
   Replayed meant(exercise_, plan_);
   meant.run(open.as_meant);
   std::optional<Replayed> written;
-  if (open.rounded) written.emplace(exercise_, plan_).run(open.as_typed);
-  std::vector<char> trivial;
+  if (open.rounded) written.emplace(exercise_, plan_, Replayed::Rounding::ignored).run(open.as_typed);
+  std::vector<char> left = open.is_open;
+  settle_carried(open, meant, written ? &*written : nullptr, left, grade);
+
+  Symptoms symptoms{&open.as_meant, &meant, written ? &*written : nullptr, &open.typed, {}, {}};
   for (std::size_t i = 0; i < count; ++i) {
+    const Verdict verdict = grade.parts[i].verdict;
+    symptoms.fine.push_back(verdict == Verdict::correct || verdict == Verdict::carried);
+    if (left[i] != 0) symptoms.open.push_back(i);
+  }
+  if (symptoms.open.empty()) return;
+  Explainer::Case by_rule(explainer_, symptoms);
+  settle_slips(symptoms, by_rule, grade);
+  grade.explanation = by_rule.explain();
+  settle_explained(symptoms, by_rule, grade);
+  settle_arithmetic(symptoms, grade);
+}
+
+// The right rule on their own values, as they meant them or as they wrote them down.
+void Grader::settle_carried(const Open& open, const Replayed& meant, const Replayed* written, std::vector<char>& left,
+                            Grade& grade) const {
+  std::vector<char> trivial;
+  for (std::size_t i = 0; i < left.size(); ++i) {
     if (left[i] == 0) continue;
     const Part& part = exercise_.parts[i];
     const auto& typed = open.typed[i].numbers;
     const auto carries = [&](const Replayed& own, const std::vector<double>& widening) {
       return own.operands_changed(part.value) && agrees(part, own.expected(part.value), typed, widening);
     };
-    if (!carries(meant, meant.widening(part)) && !(written && carries(*written, {}))) continue;
+    if (!carries(meant, meant.widening(part)) && !(written != nullptr && carries(*written, {}))) continue;
     left[i] = 0;
     if (trivial.empty()) trivial = meant.trivial();
     if (trivial[part.value] != 0 && right_is_trivial_[i] == 0)
-      settle(i, Verdict::wrong, 0,
+      settle(grade, i, Verdict::wrong, 0,
              "It follows from your earlier values, but with those (all equal or zero, or a ratio that only copies a "
-             "point) there is nothing left to compute, so it earns no points.");
+             "point) there is nothing left to compute, so it earns no points.",
+             "trivial");
     else
-      settle(i, Verdict::carried, exercise_.carried, {});
+      settle(grade, i, Verdict::carried, exercise_.carried * part.points, {}, {});
   }
+}
 
-  // Misconceptions: on the right values, which is known beforehand, or on their own.
-  std::vector<Numbers<Exact>> unexplained(count);
-  bool any_own = false;
-  const auto settle_misconception = [&](std::size_t i, const Misconception& m) {
-    left[i] = 0;
-    settle(i, Verdict::misconception, exercise_.misconception, advice_of(m), m.id);
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    if (left[i] == 0) continue;
-    if (const Misconception* known = known_mistakes_.find(i, open.typed[i].numbers)) {
-      settle_misconception(i, *known);
-    } else if (meant.operands_changed(exercise_.parts[i].value)) {
-      unexplained[i] = open.typed[i].numbers;
-      any_own = true;
+// Each value for itself: a misconception, a slip, or neither.
+void Grader::settle_slips(const Symptoms& symptoms, Explainer::Case& by_rule, Grade& grade) const {
+  const Replayed& meant = *symptoms.meant;
+  for (std::size_t k = 0; k < symptoms.open.size(); ++k) {
+    const std::size_t i = symptoms.open[k];
+    const Part& part = exercise_.parts[i];
+    const Typed& typed = (*symptoms.typed)[i];
+    const Misconception* const alone = by_rule.alone(k);
+    std::optional<Slip> slip;
+    if (alone == nullptr || by_rule.may_be_slip(k)) {
+      slip = find_slip(part, exercise_.run.trace.numbers(part.value), typed);
+      if (!slip && meant.operands_changed(part.value)) slip = find_slip(part, meant.expected(part.value), typed);
+    }
+    if (slip) {
+      if (by_rule.may_be_slip(k)) by_rule.is_slip(k);
+      const Exact& share = alone == nullptr ? exercise_.slip : std::min(exercise_.slip, exercise_.misconception);
+      settle(grade, i, Verdict::slip, share * part.points, slip->text, slip->note);
+    } else if (alone != nullptr) {
+      settle(grade, i, Verdict::misconception, exercise_.misconception * part.points, advice_of(*alone), alone->id);
+    } else {
+      settle(grade, i, Verdict::wrong, 0, part.feedback, "unknown");
     }
   }
-  if (any_own) {
-    const auto found = own_mistakes_.find(open.as_meant, unexplained);
-    for (std::size_t i = 0; i < count; ++i)
-      if (found[i] != nullptr) settle_misconception(i, *found[i]);
-  }
+}
 
-  for (std::size_t i = 0; i < count; ++i) {
-    if (left[i] == 0) continue;
+void Grader::settle_explained(const Symptoms& symptoms, Explainer::Case& by_rule, Grade& grade) const {
+  for (std::size_t k = 0; k < symptoms.open.size(); ++k) {
+    const std::size_t i = symptoms.open[k];
+    const PartGrade& made = grade.parts[i];
+    const Misconception* const acts = by_rule.acts_at(k);
+    if (acts == nullptr || acts->id == made.misconception) continue;
+    settle(grade, i, Verdict::misconception, std::min(made.points, exercise_.misconception * exercise_.parts[i].points),
+           advice_of(*acts), acts->id);
+  }
+}
+
+// A wrong value of which one coordinate only is off, or which is the only wrong one while others follow from it: the
+// rule was known, and what is to be checked is the arithmetic.
+void Grader::settle_arithmetic(const Symptoms& symptoms, Grade& grade) const {
+  const bool is_only_one = std::ranges::all_of(grade.parts,
+                                               [](const PartGrade& made) {
+                                                 return made.verdict == Verdict::correct ||
+                                                        made.verdict == Verdict::carried || made.note == "unknown";
+                                               }) &&
+                           std::ranges::count(grade.parts, "unknown", &PartGrade::note) == 1;
+  const bool others_follow = std::ranges::count(grade.parts, Verdict::carried, &PartGrade::verdict) > 0;
+  for (const std::size_t i : symptoms.open) {
+    if (grade.parts[i].note != "unknown") continue;
     const Part& part = exercise_.parts[i];
-    auto slip = find_slip(part, exercise_.run.trace.numbers(part.value), open.typed[i]);
-    if (!slip && meant.operands_changed(part.value)) slip = find_slip(part, meant.expected(part.value), open.typed[i]);
-    if (slip)
-      settle(i, Verdict::slip, exercise_.slip, *slip);
+    const Typed& typed = (*symptoms.typed)[i];
+    auto off = only_wrong_coordinate(part, exercise_.run.trace.numbers(part.value), typed, {});
+    if (!off && symptoms.meant->operands_changed(part.value))
+      off = only_wrong_coordinate(part, symptoms.meant->expected(part.value), typed, symptoms.meant->widening(part));
+    std::string hint;
+    if (off)
+      hint = "Only " + *off + " is off: check the arithmetic.";
+    else if (is_only_one && others_follow && part.kind != ValueKind::integer && part.kind != ValueKind::list)
+      hint = "All else is right or follows from it: check the arithmetic.";
     else
-      settle(i, Verdict::wrong, 0, part.feedback);
+      continue;
+    const std::string what = part.feedback.empty() ? "Not the right value." : sentence(part.feedback);
+    settle(grade, i, Verdict::wrong, 0, what + " " + hint, "arithmetic");
+  }
+}
+
+void Grader::settle_voided(Grade& grade) const {
+  for (std::size_t i = 0; i < grade.parts.size(); ++i) {
+    const Part& part = exercise_.parts[i];
+    if (part.voided == Voided::no) continue;
+    const bool credit = part.voided == Voided::credit;
+    if (credit) grade.parts[i].points = part.points;
+    if (exercise_.feedback == Feedback::none) continue;
+    grade.parts[i].feedback =
+        credit ? "This part was voided: everybody gets its points." : "This part was voided: it counts for nobody.";
   }
 }
 

@@ -65,6 +65,17 @@ bool write_all(int fd, std::string_view content) {
   return true;
 }
 
+// \uXXXX of a control character, which has at most 16 bits.
+void append_escape(std::string_view character, std::string& out) {
+  constexpr char digits[] = "0123456789abcdef";
+  const auto bits = [&](std::size_t at) { return static_cast<unsigned>(character[at]) & 0x3Fu; };
+  unsigned code = static_cast<unsigned char>(character[0]);
+  if (character.size() == 2) code = (code & 0x1Fu) << 6 | bits(1);
+  if (character.size() == 3) code = (code & 0x0Fu) << 12 | bits(1) << 6 | bits(2);
+  out += "\\u";
+  for (int shift = 12; shift >= 0; shift -= 4) out += digits[code >> shift & 0xFu];
+}
+
 }  // namespace
 
 Checked<JsonDocument> JsonDocument::load(const std::filesystem::path& path, const JsonLimits& limits) {
@@ -113,37 +124,25 @@ Checked<bool> write_file(const std::filesystem::path& path, std::string_view con
 }
 
 std::string json_quote(std::string_view text) {
-  constexpr char digits[] = "0123456789abcdef";
   std::string out = "\"";
   out.reserve(text.size() + 2);
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_length(text, i);
-    const char c = text[i];
-    switch (c) {
-      case '"':
-        out += "\\\"";
-        break;
-      case '\\':
-        out += "\\\\";
-        break;
-      case '\n':
-        out += "\\n";
-        break;
-      case '\r':
-        out += "\\r";
-        break;
-      case '\t':
-        out += "\\t";
-        break;
-      default:
-        if (length == 0) {
-          out += "\xEF\xBF\xBD";  // U+FFFD
-        } else if (static_cast<unsigned char>(c) < 0x20) {
-          out += {'\\', 'u', '0', '0', digits[c >> 4], digits[c & 15]};
-        } else {
-          out += text.substr(i, length);
-        }
-    }
+    const std::string_view character = text.substr(i, length);
+    if (length == 0)
+      out += "\xEF\xBF\xBD";  // U+FFFD
+    else if (character == "\"" || character == "\\")
+      (out += '\\') += character;
+    else if (character == "\n")
+      out += "\\n";
+    else if (character == "\r")
+      out += "\\r";
+    else if (character == "\t")
+      out += "\\t";
+    else if (is_control(character))  // JSON asks for those below U+0020 only; a terminal obeys others, too
+      append_escape(character, out);
+    else
+      out += character;
     i += std::max<std::size_t>(length, 1);
   }
   return out += '"';

@@ -70,7 +70,11 @@ struct NameMaker {
   constexpr operator Name() const { return (*this)(); }  // NOLINT: "k"_v is a name
 };
 
+#if defined(__clang__) && __clang_major__ < 15  // it leaves consteval literals inside templates to the linker
+constexpr NameMaker operator""_v(const char* text, std::size_t size) {
+#else
 consteval NameMaker operator""_v(const char* text, std::size_t size) {
+#endif
   if (!Symbol::fits({text, size})) throw "a symbol has 1 to 8 characters";
   return {Symbol::of({text, size})};
 }

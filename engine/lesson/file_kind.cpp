@@ -6,22 +6,25 @@
 namespace blossom {
 namespace {
 
-constexpr std::array<std::pair<FileKind, std::string_view>, 9> names{{{FileKind::lesson, "lesson"},
-                                                                      {FileKind::exercise, "exercise"},
-                                                                      {FileKind::answers, "answers"},
-                                                                      {FileKind::grade, "grade"},
-                                                                      {FileKind::trace, "trace"},
-                                                                      {FileKind::curve, "curve"},
-                                                                      {FileKind::surface, "surface"},
-                                                                      {FileKind::schema, "schema"},
-                                                                      {FileKind::unknown, "unknown"}}};
+constexpr std::array<std::pair<FileKind, std::string_view>, 11> names{{{FileKind::lesson, "lesson"},
+                                                                       {FileKind::exercise, "exercise"},
+                                                                       {FileKind::assignment, "assignment"},
+                                                                       {FileKind::answers, "answers"},
+                                                                       {FileKind::grade, "grade"},
+                                                                       {FileKind::result, "result"},
+                                                                       {FileKind::trace, "trace"},
+                                                                       {FileKind::curve, "curve"},
+                                                                       {FileKind::surface, "surface"},
+                                                                       {FileKind::schema, "schema"},
+                                                                       {FileKind::unknown, "unknown"}}};
 
 FileKind kind_of_schema(std::string_view schema) {
   constexpr std::string_view prefix = "blossom.";
   if (!schema.starts_with(prefix)) return FileKind::unknown;
   schema.remove_prefix(prefix.size());
   const std::string_view name = schema.substr(0, schema.find('/'));
-  for (const auto kind : {FileKind::lesson, FileKind::exercise, FileKind::answers, FileKind::grade, FileKind::trace})
+  for (const auto kind : {FileKind::lesson, FileKind::exercise, FileKind::assignment, FileKind::answers,
+                          FileKind::grade, FileKind::result, FileKind::trace})
     if (name == file_kind_name(kind)) return kind;
   return FileKind::unknown;
 }
@@ -42,6 +45,7 @@ FileKind file_kind(const Json& root) {
     if (schema->text.find("json-schema.org") != std::string::npos) return FileKind::schema;
   if (root.find("beats") != nullptr) return FileKind::lesson;
   if (root.find("ask") != nullptr) return FileKind::exercise;
+  if (root.find("exercises") != nullptr) return root.find("score") != nullptr ? FileKind::result : FileKind::assignment;
   if (root.find("answers") != nullptr) return FileKind::answers;
   if (root.find("parts") != nullptr) return FileKind::grade;
   if (root.find("steps") != nullptr && root.find("values") != nullptr) return FileKind::trace;

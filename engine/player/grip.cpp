@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "algorithms/typeset.hpp"
 #include "player/session.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "algorithms/typeset.hpp"
 #include "player/player.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/text_run.hpp"
+
 namespace blossom {
 
 // What a thing means. Themes map roles to looks; no colour is named anywhere else.
@@ -44,18 +46,6 @@ enum class Role : std::uint8_t {
   focus,         // outline of what has the keyboard's focus
 };
 inline constexpr int role_count = 28;
-
-// A piece of a label: the baseline text, a subscript or a superscript (P with a subscript and a superscript is three).
-struct TextRun {
-  enum class Level : std::uint8_t { base, sub, super };
-  std::string text;  // UTF-8
-  Level level = Level::base;
-  bool italic = false;
-  bool bold = false;
-  bool monospace = false;
-  bool operator==(const TextRun&) const = default;
-};
-using RichText = std::vector<TextRun>;
 
 struct Polyline {
   std::vector<glm::dvec3> points;

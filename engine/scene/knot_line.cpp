@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
 
+#include "algorithms/typeset.hpp"
 #include "scene/panel_parts.hpp"
 #include "scene/panels.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <map>
 
+#include "algorithms/typeset.hpp"
 #include "scene/panels.hpp"
 #include "scene/scheme.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {

@@ -4,8 +4,8 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "algorithms/typeset.hpp"
 #include "scene/panel_parts.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/typeset.hpp"
 #include "scene/grid.hpp"
 #include "scene/panels.hpp"
 #include "scene/scene_samples.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/typeset.hpp"
 #include "scene/panel_parts.hpp"
 #include "scene/panels.hpp"
 #include "scene/scheme.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {

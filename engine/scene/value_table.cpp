@@ -1,9 +1,9 @@
 // The values that the part of the run around a step has made so far, where there is no triangular scheme to show.
 #include <algorithm>
 
+#include "algorithms/typeset.hpp"
 #include "scene/panel_parts.hpp"
 #include "scene/panels.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {

@@ -4,10 +4,10 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
+#include "algorithms/typeset.hpp"
 #include "scene/camera.hpp"
 #include "scene/grid.hpp"
 #include "scene/panel_parts.hpp"
-#include "scene/typeset.hpp"
 #include "scene/viewport_builder.hpp"
 
 namespace blossom {

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/typeset.hpp"
 #include "base/scalar.hpp"
 #include "scene/camera.hpp"
 #include "scene/panel_parts.hpp"
-#include "scene/typeset.hpp"
 #include "scene/viewport_builder.hpp"
 
 namespace blossom {

@@ -1,10 +1,10 @@
-// Grades to be read: a block for each student, and for several of them a table of scores.
+// Grades to be read: a block for each exercise of each student, and for several students a table of scores.
 
 #include <algorithm>
 #include <array>
 
 #include "base/utf8.hpp"
-#include "grader/report/report.hpp"
+#include "grader/report/facts.hpp"
 
 namespace blossom {
 namespace {
@@ -26,23 +26,30 @@ std::string percent(double score) { return format_short(100 * score, 1) + " %"; 
 
 class TextReport final : public Report {
  public:
-  TextReport(const Exercise& exercise, std::size_t submissions) : exercise_(&exercise), several_(submissions > 1) {}
+  explicit TextReport(const ReportContext& context) : several_(context.students > 1) {}
 
-  void add(const Grade& grade, std::string& out) override {
-    Row row{printable(grade.student.empty() ? "standard input" : grade.student),
-            percent(grade.score()),
-            of(grade.points, exercise_->max_points),
-            {},
-            !grade.reason.empty()};
-    for (const PartGrade& part : grade.parts) ++row.counts[static_cast<std::size_t>(part.verdict)];
-    out += row.name + ": " + row.score + " (" + row.points + " points) in " + printable(exercise_->id) + "\n";
-    if (!grade.reason.empty()) {
-      out += "  invalid: " + printable(grade.reason) + "\n";
-    } else if (exercise_->feedback != Feedback::none) {
-      write_parts(grade, out);
+  void add(const StudentResult& result, std::string& out) override {
+    const ResultFacts facts = facts_of(result);
+    Row row{printable(result.student.id.empty() ? "standard input" : result.student.id),
+            percent(result.score()),
+            of(result.points, result.max_points),
+            {}};
+    for (const ExerciseFacts& exercise : facts.exercises) {
+      const double score = exercise.max_points == Exact(0) ? 0 : (exercise.points / exercise.max_points).to_double();
+      out += row.name + ": " + percent(score) + " (" + of(exercise.points, exercise.max_points) + " points) in " +
+             printable(exercise.id) + "\n";
+      write_parts(exercise, out);
+      for (const std::string& note : exercise.notes) out += "  " + note + "\n";
+      out += "\n";
+      // How many of each verdict there are is said of the exercises that say so themselves.
+      if (exercise.grade == nullptr || exercise.grade->exercise->feedback == Feedback::none) continue;
+      with_verdicts_ = true;
+      for (const PartGrade& part : exercise.grade->parts) ++row.counts[static_cast<std::size_t>(part.verdict)];
     }
-    for (const std::string& note : grade.notes) out += "  note: " + printable(note) + "\n";
-    out += "\n";
+    if (facts.exercises.size() != 1)
+      out += row.name + ": " + row.score + " (" + row.points + " points) in all\n" + (facts.notes.empty() ? "\n" : "");
+    for (const std::string& note : facts.notes) out += "  " + note + "\n";
+    if (!facts.notes.empty()) out += "\n";
     if (several_) rows_.push_back(std::move(row));
   }
 
@@ -55,13 +62,12 @@ class TextReport final : public Report {
       points = std::max(points, utf8_count(row.points));
     }
     out += pad("name", names) + "  " + pad_left("score", scores) + "  " + pad_left("points", points);
-    const bool with_verdicts = exercise_->feedback != Feedback::none;
-    for (std::size_t v = 0; with_verdicts && v < verdict_count; ++v)
+    for (std::size_t v = 0; with_verdicts_ && v < verdict_count; ++v)
       out += "  " + std::string(verdict_name(static_cast<Verdict>(v)));
     out += "\n";
     for (const Row& row : rows_) {
       out += pad(row.name, names) + "  " + pad_left(row.score, scores) + "  " + pad_left(row.points, points);
-      for (std::size_t v = 0; with_verdicts && v < verdict_count; ++v)
+      for (std::size_t v = 0; with_verdicts_ && v < verdict_count; ++v)
         out += "  " + pad_left(row.counts[v] == 0 ? "." : std::to_string(row.counts[v]),
                                verdict_name(static_cast<Verdict>(v)).size());
       out += "\n";
@@ -74,54 +80,51 @@ class TextReport final : public Report {
     std::string score;
     std::string points;
     std::array<std::size_t, verdict_count> counts{};
-    bool invalid = false;
   };
 
   // A part's feedback; advice that this student has read already is only named.
-  std::string feedback(const PartGrade& part, std::vector<std::string_view>& given) const {
-    if (part.misconception.empty()) return part.feedback;
+  static std::string feedback(const PartGrade& part, const Exercise& exercise, const std::string& text,
+                              std::vector<std::string_view>& given) {
+    if (part.misconception.empty()) return text;
     if (std::ranges::find(given, part.misconception) == given.end()) {
       given.push_back(part.misconception);
-      return part.feedback;
+      return text;
     }
-    const auto& known = exercise_->run.algorithm->misconceptions;
+    const auto& known = exercise.run.algorithm->misconceptions;
     const auto m = std::ranges::find(known, part.misconception, &Misconception::id);
     const std::string advice = advice_of(*m);
-    if (!part.feedback.starts_with(advice)) return part.feedback;
-    return "As above: " + std::string(m->title) + "." + part.feedback.substr(advice.size());
+    if (!text.starts_with(advice)) return text;
+    return "As above: " + std::string(m->title) + "." + text.substr(advice.size());
   }
 
-  void write_parts(const Grade& grade, std::string& out) const {
+  static void write_parts(const ExerciseFacts& facts, std::string& out) {
     std::vector<std::string_view> given;
     std::size_t names = 0, verdicts = 0, points = 0;
-    for (std::size_t i = 0; i < grade.parts.size(); ++i) {
-      names = std::max(names, exercise_->parts[i].name.size());
-      verdicts = std::max(verdicts, verdict_name(grade.parts[i].verdict).size());
-      points = std::max(points, of(grade.parts[i].points, exercise_->parts[i].points).size());
+    for (const PartFacts& part : facts.parts) {
+      names = std::max(names, part.name.size());
+      verdicts = std::max(verdicts, part.verdict.size());
+      points = std::max(points, of(part.points, part.max_points).size());
     }
-    for (std::size_t i = 0; i < grade.parts.size(); ++i) {
-      const PartGrade& part = grade.parts[i];
-      out += "  " + pad(exercise_->parts[i].name, names) + "  " +
-             pad(std::string(verdict_name(part.verdict)), verdicts) + "  " +
-             pad_left(of(part.points, exercise_->parts[i].points), points);
-      out += "\n";
-      if (!part.feedback.empty() && part.verdict != Verdict::correct)
-        out += "      " + printable(feedback(part, given)) + "\n";
+    for (std::size_t i = 0; i < facts.parts.size(); ++i) {
+      const PartFacts& part = facts.parts[i];
+      out += "  " + pad(std::string(part.name), names) + "  " + pad(std::string(part.verdict), verdicts) + "  " +
+             pad_left(of(part.points, part.max_points), points) + "\n";
+      if (!part.text.empty())
+        out += "      " + feedback(facts.grade->parts[i], *facts.grade->exercise, part.text, given) + "\n";
     }
   }
 
-  const Exercise* exercise_;
   bool several_;
+  bool with_verdicts_ = false;
   std::vector<Row> rows_;
 };
 
 }  // namespace
 
 const ReportFormat& report_text() {
-  static const ReportFormat format{"text", "to be read: a block for each student, then a table of scores",
-                                   [](const Exercise& exercise, std::size_t submissions) -> std::unique_ptr<Report> {
-                                     return std::make_unique<TextReport>(exercise, submissions);
-                                   }};
+  static const ReportFormat format{
+      "text", "to be read: a block for each student, then a table of scores", "txt", ReportFormat::Scope::course,
+      [](const ReportContext& context) -> std::unique_ptr<Report> { return std::make_unique<TextReport>(context); }};
   return format;
 }
 

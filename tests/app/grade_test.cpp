@@ -130,16 +130,105 @@ TEST_CASE("A faulty exercise grades nothing, wrong usage is 2, full disks are 3"
     CHECK(ended.status == 2);
     CHECK(ended.out.empty());
     CHECK(ended.err.starts_with("blossom-grade: "));
-    CHECK(ended.err.ends_with("\nTry `blossom-grade --help`.\n"));
+    CHECK(ended.err.ends_with(arguments.empty() ? "\nTry `blossom-grade --help`.\n"
+                                                : "\nTry `blossom-grade grade --help`.\n"));
   }
-  const auto help = run_program("blossom-grade", {"--help"});
+  const auto help = run_program("blossom-grade", {"grade", "--help"});
   SHOW(help);
   CHECK(help.status == 0);
   CHECK(contains(help.out, "blossom-grade " + exercise + " "));
+  CHECK(contains(run_program("blossom-grade", {"--help"}).out, "grade"));
   if (access("/dev/full", W_OK) != 0) return;
   const auto full =
       run_program("blossom-grade", {exercise, "exercises/demo-class/perfect.json"}, {.output_to = "/dev/full"});
   SHOW(full);
   CHECK(full.status == 3);
   CHECK(contains(full.err, "cannot be written"));
+}
+
+TEST_CASE("With --student all files are one student's, from a folder too, and only one of them counts") {
+  const Scratch scratch;
+  const auto first = grade({"--student", "s17", "--format", "json"}, {"perfect", "early-slip"});
+  SHOW(first);
+  CHECK(first.status == 0);
+  const auto grades = read_grades(first.out);
+  REQUIRE(grades.size() == 1);
+  CHECK(contains(first.out, "\"student\":\"s17\""));
+  fs::create_directories(scratch / "in/below");
+  fs::copy_file(fs::path(BLOSSOM_SOURCE_DIR) / "exercises/demo-class/perfect.json", scratch / "in/below/a.json");
+  const auto folder = run_program("blossom-grade", {exercise, scratch / "in", "--student", "s17"});
+  SHOW(folder);
+  CHECK(folder.status == 0);
+  CHECK(folder.out.starts_with("s17: 100 % (11/11 points) in de-boor\n"));
+  fs::create_directories(scratch / "empty");
+  const auto nothing = run_program("blossom-grade", {exercise, scratch / "empty", "--student", "s17"});
+  SHOW(nothing);
+  CHECK(nothing.status == 0);
+  CHECK(contains(nothing.out, "Missing: nothing was handed in."));
+}
+
+TEST_CASE("An assignment: each file against the exercise that it names, and lateness by --submitted") {
+  const Scratch scratch;
+  for (const char* name : {"05-de-boor", "01-de-casteljau"})
+    fs::copy_file(fs::path(BLOSSOM_SOURCE_DIR) / "exercises" / (std::string(name) + ".json"),
+                  scratch / (std::string(name) + ".json"));
+  const auto assignment = scratch.write("hw.json", R"({"schema": "blossom.assignment/1", "id": "hw", "title": "H",
+      "exercises": [{"file": "05-de-boor.json", "points": 8}, {"file": "01-de-casteljau.json", "points": 2}],
+      "due": "2026-10-01T00:00:00Z", "late": {"per_day": "1/2"}})");
+  const std::string perfect = "exercises/demo-class/perfect.json";
+  const auto other =
+      scratch.write("ann.json", R"({"schema": "blossom.answers/1", "exercise": "other", "answers": {}})");
+  const auto files = run_program("blossom-grade", {assignment, perfect, other});
+  SHOW(files);
+  CHECK(files.status == 1);
+  CHECK(contains(files.out, "perfect: 100 % (8/8 points) in de-boor\n"));
+  CHECK_FALSE(contains(files.out, "de-casteljau"));
+  CHECK(contains(files.out, "ann: 0 % (0/0 points) in all\n  Misplaced: it names no exercise of this assignment.\n"));
+
+  const auto late = run_program("blossom-grade",
+                                {assignment, perfect, "--student", "s17", "--submitted", "2026-10-01T10:00:00+02:00"});
+  SHOW(late);
+  CHECK(late.status == 0);
+  CHECK(contains(late.out, "s17: 50 % (4/8 points) in de-boor\n"));
+  CHECK(contains(late.out, "s17: 40 % (4/10 points) in all\n"));
+}
+
+TEST_CASE("--out writes the whole report or leaves the file as it was; --now decides what is shown") {
+  const Scratch scratch;
+  const auto out = scratch.write("report", "old");
+  const std::string perfect = "exercises/demo-class/perfect.json", slip = "exercises/demo-class/early-slip.json";
+  const auto faulty = run_program("blossom-grade", {scratch.write("e.json", "{}"), perfect, "--out", out});
+  SHOW(faulty);
+  CHECK(faulty.status == 1);
+  CHECK(read_all(out) == "old");
+  const auto whole = run_program("blossom-grade", {exercise, slip, "--format", "junit", "--out", out});
+  SHOW(whole);
+  CHECK(whole.status == 0);
+  CHECK(whole.out.empty());
+  CHECK(read_all(out) == run_program("blossom-grade", {exercise, slip, "--format", "junit"}).out);
+  const auto nowhere = run_program("blossom-grade", {exercise, slip, "--out", scratch / "no/folder/report"});
+  SHOW(nowhere);
+  CHECK(nowhere.status == 3);
+
+  fs::copy_file(fs::path(BLOSSOM_SOURCE_DIR) / exercise, scratch / "e5.json");
+  const auto assignment = scratch.write("hw.json", R"({"schema": "blossom.assignment/1", "id": "hw", "title": "H",
+      "exercises": [{"file": "e5.json"}], "feedback": "verdict", "full_feedback_from": "2026-10-05T00:00:00Z"})");
+  const auto at = [&](const std::string& now) {
+    return run_program("blossom-grade", {assignment, slip, "--now", now}).out;
+  };
+  CHECK_FALSE(contains(at("2026-10-04T23:59:59Z"), "Right is"));
+  CHECK(contains(at("2026-10-05T00:00:00Z"), "Right is"));
+}
+
+TEST_CASE("What does not go together is wrong usage") {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{exercise, "a.json", "b.json", "--format", "gradescope"},
+        {exercise, "a.json", "--submitted", "2026-10-01T00:00:00Z"},
+        {exercise, "a.json", "--student", "s17", "--submitted", "yesterday"},
+        {exercise, "a.json", "--now", "2026-10-01"}}) {
+    const auto ended = run_program("blossom-grade", arguments);
+    SHOW(ended);
+    CHECK(ended.status == 2);
+    CHECK(ended.out.empty());
+  }
 }

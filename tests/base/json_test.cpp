@@ -255,5 +255,9 @@ TEST_CASE("a JSON string literal is read back as what it was") {
   }();
   CHECK(accepted(json_quote(all)).root().text == all);
   CHECK(json_quote("a\"b\\c\n") == R"("a\"b\\c\n")");
+  // What a terminal obeys, or what turns the direction of text, is escaped, though JSON would take it as it is.
+  const std::string obeyed = "\x1B\x7F\xC2\x9B\xE2\x80\xA8\xE2\x80\xAE\xE2\x81\xA9";
+  CHECK(json_quote(obeyed) == R"("\u001b\u007f\u009b\u2028\u202e\u2069")");
+  CHECK(accepted(json_quote(obeyed)).root().text == obeyed);
   CHECK(json_quote("x\xFFy\xED\xA0\x80") == "\"x\xEF\xBF\xBDy\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD\"");
 }

@@ -4,10 +4,14 @@
 // values (about 200 bytes), all of them (about 417), all of them as long decimals and fractions with spaces (about 2
 // KiB). Each right; with one early mistake that is carried through all later values; and with the weights swapped
 // throughout.
+//
+// And what diagnosis costs, of 6, 13 and 59 values that are all answered: one misconception throughout, two at once,
+// and nothing but noise.
 
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
+#include <map>
 
 #include "grader/report/report.hpp"
 
@@ -101,6 +105,96 @@ void grade(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(grade)->ArgNames({"bytes", "kind"})->ArgsProduct({{200, 417, 2048}, {right, carried, swapped}});
+
+// ---- diagnosis ------------------------------------------------------------------------------------------------------
+
+// All points of the 13 values alone; all of them; and a curve of degree 7 with the result.
+const Grader& asks(int values) {
+  static std::map<int, std::unique_ptr<Grader>> made;
+  auto& grader = made[values];
+  if (grader) return *grader;
+  const std::string cubic = R"("inputs": {"curve": {"degree": 3, "knots": [0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1],
+    "points": [[10, 0], [0, 1], [2, 20], [30, 21], [33, 0], [15, -3], [14, 10]]}, "u": "2/5"})";
+  const std::string septic =
+      R"("inputs": {"curve": {"degree": 7, "knots": [0, 0, 0, 0, 0, 0, 0, 0, 0.5, 1, 1, 1, 1, 1, 1, 1, 1],
+    "points": [[10, 0], [0, 1], [2, 20], [30, 21], [33, 0], [15, -3], [14, 10], [8, 8], [1, 4]]}, "u": "2/5"})";
+  const std::string head = R"({"schema": "blossom.exercise/1", "id": "diagnosed", "title": "T", "prompt": "P",
+    "algorithm": "de_boor", "tolerance": {"decimals": 3}, "feedback": "hint", )";
+  const std::string points = R"({"value": "P[*][*]", "points": 2})";
+  const std::string ratios = R"({"value": "k", "points": 1}, {"value": "alpha[*][*]", "points": 1}, )";
+  const std::string text =
+      values == 6    ? head + cubic + R"(, "ask": [)" + points + "]}"
+      : values == 13 ? head + cubic + R"(, "ask": [)" + ratios + points + "]}"
+                     : head + septic + R"(, "ask": [{"value": "s", "points": 1}, {"value": "C", "points": 1}, )" +
+                           ratios + points + "]}";
+  auto exercise = read_exercise(*JsonDocument::parse("exercise", text));
+  if (!exercise) std::abort();
+  grader = std::make_unique<Grader>(std::move(*exercise));
+  if (static_cast<int>(grader->exercise().parts.size()) != values) std::abort();
+  return *grader;
+}
+
+enum Fault { one_misconception, two_misconceptions, noise };
+
+std::string faulty_answers(const Exercise& exercise, Fault fault) {
+  std::vector<const Misconception*> holds;
+  for (const Misconception& m : exercise.run.algorithm->misconceptions)
+    if (m.id == "swapped-weights" || (fault == two_misconceptions && m.id == "neighbour-knot")) holds.push_back(&m);
+  const ReplayPlan plan(exercise);
+  Replayed student(exercise, plan);
+  replay_with(exercise, holds, student, std::vector<Given>(exercise.parts.size()), {}, [](auto, auto) {});
+  std::uint32_t random = 1;
+  std::string text = R"({"schema": "blossom.answers/1", "exercise": "diagnosed", "answers": {)";
+  for (const Part& part : exercise.parts) {
+    if (text.back() != '{') text += ", ";
+    text += "\"" + part.name + "\": ";
+    if (!part.is_single()) text += "[";
+    const auto numbers = part.as_typed(student.own(part.value));
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      random = random * 1664525 + 1013904223;
+      double typed = numbers[i].to_double();
+      if (fault == noise) typed = part.kind == ValueKind::integer ? 9 : static_cast<double>(random >> 12) / 40000;
+      char digits[40];
+      std::snprintf(digits, sizeof digits, "%.5g", typed);
+      text += (i > 0 ? ", " : "") + std::string(digits);
+    }
+    if (!part.is_single()) text += "]";
+  }
+  return text + "}}";
+}
+
+void diagnose(benchmark::State& state) {
+  const Grader& with = asks(static_cast<int>(state.range(0)));
+  const std::string text = faulty_answers(with.exercise(), static_cast<Fault>(state.range(1)));
+  for (auto _ : state) {
+    const Grade made = with.grade(JsonDocument::parse("answers", text, submission_limits));
+    benchmark::DoNotOptimize(made.parts.data());
+  }
+  const Grade made = with.grade(JsonDocument::parse("answers", text, submission_limits));
+  std::string label;
+  if (made.explanation) {
+    for (const Misconception* m : made.explanation->misconceptions) label += std::string(m->id) + ", ";
+    label += std::to_string(made.explanation->covered) + " of " + std::to_string(made.explanation->wrong);
+  }
+  state.SetLabel(label);
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(diagnose)
+    ->ArgNames({"values", "fault"})
+    ->ArgsProduct({{6, 13, 59}, {one_misconception, two_misconceptions, noise}});
+
+// The first wrong answer to an exercise: with what is worked out once for all others.
+void first_diagnosis(benchmark::State& state) {
+  const Exercise& exercise = asks(static_cast<int>(state.range(0))).exercise();
+  const std::string text = faulty_answers(exercise, noise);
+  for (auto _ : state) {
+    const Grader fresh{Exercise(exercise)};
+    const Grade made = fresh.grade(JsonDocument::parse("answers", text, submission_limits));
+    benchmark::DoNotOptimize(made.parts.data());
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(first_diagnosis)->ArgName("values")->Arg(6)->Arg(13)->Arg(59);
 
 void read_only(benchmark::State& state) {
   const std::string text = answers(static_cast<int>(state.range(0)), right);

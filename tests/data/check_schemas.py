@@ -10,6 +10,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 import warnings
 
 try:
@@ -23,7 +24,7 @@ mistakes = []
 
 
 def schema_of(kind):
-    folder = "exercises" if kind in ("exercise", "answers", "grade") else "lessons"
+    folder = "exercises" if kind in ("exercise", "answers", "grade", "assignment", "result") else "lessons"
     return root / folder / f"{kind}.schema.json"
 
 
@@ -34,7 +35,7 @@ def validator(kind):
     return jsonschema.Draft202012Validator(schema, resolver=resolver)
 
 
-KINDS = ("lesson", "exercise", "answers", "grade", "trace", "geometry", "algorithms")
+KINDS = ("lesson", "exercise", "answers", "grade", "assignment", "result", "trace", "geometry", "algorithms")
 validators = {kind: validator(kind) for kind in KINDS}
 
 
@@ -200,6 +201,22 @@ for path in exercises:
         (["feedback"], "loud"),
         (["marking"], "never"),
     ])
+    if "vary" in exercise:
+        must_be_invalid("exercise", path.name, exercise, [(["vary"] + where, value) for where, value in (
+            (["inputs"], []),
+            (["inputs"], LEFT_OUT),
+            (["inputs", 0, "at"], LEFT_OUT),
+            (["inputs", 0, "spelled_wrong"], 1),
+            (["inputs", 0], {"at": "u"}),
+            (["inputs", 0], {"at": "u", "integers": [1, 2], "choose": [1]}),
+            (["inputs", 0], {"at": "u", "integers": [1]}),
+            (["inputs", 0], {"at": "u", "fractions": {"denominators": [0], "from": 0, "to": 1}}),
+            (["inputs", 0], {"at": "u", "choose": [1], "not": "knot"}),
+            (["require"], ["points nice"]),
+            (["denominator"], 0),
+            (["tolerance"], "roughly"),
+            (["except"], [{"misconception": "swapped-weights"}]),
+        )])
 
 # Sample answers (two of the class are no JSON on purpose), and the grades of the whole class.
 demo = files("exercises/demo-class")
@@ -240,6 +257,53 @@ for grade in grades:
         (["parts", 0, "feedback"], LEFT_OUT),
     ])
 
+# The sample course, and the results of its class as the instructor and as the students get them.
+course = root / "exercises/demo-course/course.json"
+assignment = json.loads(course.read_text())
+must_be_valid("assignment", course.name, assignment)
+must_be_valid("assignment", "an exercise inside", changed(assignment, ["exercises", 0], {"exercise": {"schema": "blossom.exercise/1"}}))
+must_be_invalid("assignment", course.name, assignment, [([key], LEFT_OUT) for key in ("schema", "id", "title", "exercises")] + [
+    (["spelled_wrong"], 1),
+    (["schema"], "blossom.assignment/2"),
+    (["id"], "Not an id"),
+    (["exercises"], []),
+    (["exercises", 0], {}),
+    (["exercises", 0], {"file": "a.json", "exercise": {}}),
+    (["exercises", 0, "points"], -1),
+    (["exercises", 0, "spelled_wrong"], 1),
+    (["due"], "tomorrow"),
+    (["due"], LEFT_OUT),
+    (["late", "per_day"], 2),
+    (["late", "grace_minutes"], -1),
+    (["late", "spelled_wrong"], 1),
+    (["attempts"], "worst"),
+    (["feedback"], "loud"),
+])
+with tempfile.TemporaryDirectory() as scratch:
+    out = pathlib.Path(scratch) / "out"
+    run(blossom_grade, "batch", course, course.parent / "submissions.jsonl", "--roster", course.parent / "roster.csv",
+        "--out", out, "--now", "2026-10-10T00:00:00Z")
+    results = [json.loads(line) for line in (out / "results.jsonl").read_text().splitlines()]
+    if len(results) != 12:
+        mistakes.append(f"the sample course has {len(results)} results")
+    for result in results:
+        must_be_valid("result", f"the result of {result['student']['id']}", result)
+    for path in sorted((out / "students").glob("*.json")):
+        must_be_valid("result", path.name, json.loads(path.read_text()))
+    must_be_valid("assignment", "assignment.json", json.loads((out / "assignment.json").read_text()))
+    required = ("schema", "assignment", "student", "score", "points", "max_points", "exercises", "incidents")
+    must_be_invalid("result", "a result", results[4], [([key], LEFT_OUT) for key in required] + [
+        (["spelled_wrong"], 1),
+        (["student", "id"], LEFT_OUT),
+        (["score"], 2),
+        (["exercises", 0, "state"], "lost"),
+        (["exercises", 0, "digest"], "x"),
+        (["exercises", 0, "submitted"], "yesterday"),
+        (["exercises", 0, "grade", "parts", 0, "verdict"], "great"),
+        (["incidents", 0, "kind"], "odd"),
+        (["incidents", 0, "text"], LEFT_OUT),
+    ])
+
 # Geometry on its own: a curve and a surface.
 curve = {"degree": 2, "points": [[0, 0], [1, "1/2"], [2, 0]], "weights": [1, 0.5, "2"]}
 surface = {"degree": [1, 1], "knots": [[0, 0, 1, 1]] * 2, "points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]}
@@ -256,8 +320,8 @@ must_be_invalid("geometry", "a surface", surface, [
 ])
 
 # What the schemas accept, `blossom lint` accepts too.
-linted = run(blossom, "lint", *lessons, *exercises, *good)
-expected = f"{len(lessons) + len(exercises) + len(good)} files are in order\n"
+linted = run(blossom, "lint", *lessons, *exercises, *good, course)
+expected = f"{len(lessons) + len(exercises) + len(good) + 1} files are in order\n"
 if linted != expected:
     mistakes.append(f"blossom lint said {linted!r}")
 

@@ -112,6 +112,18 @@ TEST_CASE("affine answers of a rational curve carry with the right weights, homo
   CHECK(verdict(grade, "P[2][0]") == "carried");
 }
 
+TEST_CASE("a rounded weight carries as the one that was meant") {
+  // P[1][0] = (3, 3, 1/3) by mistake, with the right (5, 3, 2): P[2][0] = (4, 3, 7/6) and C = (24/7, 18/7). By 0.33, as
+  // it is written down, the second is 2.5751.
+  const auto grader = grader_of(
+      exercise_text("de_casteljau",
+                    R"({"curve": {"degree": 2, "points": [[0, 0], [2, 2], [4, 0]], "weights": [1, 3, 1]}, "u": "1/2"})",
+                    R"([{"value": "P[1][0]", "points": 1, "form": "homogeneous"}, {"value": "C", "points": 1}])",
+                    R"(, "tolerance": {"decimals": 2})"));
+  CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [3, 3, 0.33], "C": [3.43, 2.57]})"), "C") == "carried");
+  CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [3, 3, 0.33], "C": [3.43, 2.59]})"), "C") == "wrong");
+}
+
 TEST_CASE("irrational values carry like others") {
   const auto grader = grader_of(exercise_text(
       "skinning", skinning_inputs,

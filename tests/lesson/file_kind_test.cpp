@@ -17,8 +17,10 @@ FileKind kind_of(const std::string& text) {
 TEST_CASE("a file says what it is") {
   CHECK(kind_of(R"({"schema": "blossom.lesson/1"})") == FileKind::lesson);
   CHECK(kind_of(R"({"schema": "blossom.exercise/1"})") == FileKind::exercise);
+  CHECK(kind_of(R"({"schema": "blossom.assignment/1"})") == FileKind::assignment);
   CHECK(kind_of(R"({"schema": "blossom.answers/1"})") == FileKind::answers);
   CHECK(kind_of(R"({"schema": "blossom.grade/1"})") == FileKind::grade);
+  CHECK(kind_of(R"({"schema": "blossom.result/1"})") == FileKind::result);
   CHECK(kind_of(R"({"schema": "blossom.trace/1", "beats": []})") == FileKind::trace);
   CHECK(kind_of(R"({"schema": "blossom.lesson/7"})") == FileKind::lesson);  // its reader knows which version it reads
   CHECK(kind_of(R"({"schema": "blossom.curve/1"})") == FileKind::unknown);
@@ -27,6 +29,8 @@ TEST_CASE("a file says what it is") {
 TEST_CASE("a file that does not say what it is, or says it wrong, is known by its keys") {
   CHECK(kind_of(R"({"schema": "blosom.lesson/1", "beats": []})") == FileKind::lesson);
   CHECK(kind_of(R"({"schema": 1, "ask": []})") == FileKind::exercise);
+  CHECK(kind_of(R"({"exercises": []})") == FileKind::assignment);
+  CHECK(kind_of(R"({"exercises": [], "score": 1})") == FileKind::result);
   CHECK(kind_of(R"({"answers": {}})") == FileKind::answers);
   CHECK(kind_of(R"({"parts": []})") == FileKind::grade);
   CHECK(kind_of(R"({"steps": [], "values": []})") == FileKind::trace);

@@ -3,9 +3,9 @@
 #include <map>
 #include <set>
 
+#include "algorithms/typeset.hpp"
 #include "scene/panels.hpp"
 #include "scene/shipped_lessons.hpp"
-#include "scene/typeset.hpp"
 
 using namespace blossom;
 using namespace blossom::test;

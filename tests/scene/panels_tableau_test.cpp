@@ -1,6 +1,6 @@
 // The triangular computing scheme: which one a step shows, what stands in it, what is marked, and its LaTeX.
+#include "algorithms/typeset.hpp"
 #include "scene/panels_sheet.hpp"
-#include "scene/typeset.hpp"
 
 using namespace blossom;
 using namespace blossom::test;

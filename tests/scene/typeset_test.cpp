@@ -1,5 +1,5 @@
 // Names and formulas as they stand in books.
-#include "scene/typeset.hpp"
+#include "algorithms/typeset.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-// blossom lint: every mistake of lessons, exercises, geometry and answers, each at its line and column.
+// blossom lint: every mistake of lessons, exercises, assignments, geometry and answers, each at its line and column.
 
 #include <algorithm>
 #include <iostream>
@@ -7,6 +7,8 @@
 #include "app/input.hpp"
 #include "geometry/document.hpp"
 #include "grader/answers.hpp"
+#include "grader/assignment.hpp"
+#include "grader/variant.hpp"
 #include "lesson/catalog.hpp"
 #include "lesson/document.hpp"
 #include "lesson/file_kind.hpp"
@@ -63,10 +65,11 @@ void check_answer(const Cursor& at) {
 
 // What answers can be told without grading them: their form, and names that their exercise does not ask for.
 void check_answers(const Cursor& root) {
-  if (!root.expect_object({"$schema", "schema", "exercise", "answers"})) return;
+  if (!root.expect_object({"$schema", "schema", "exercise", "student", "answers"})) return;
   expect_schema(root, "blossom.answers/1");
   const auto id = root.required("exercise");
   const auto text = id ? id->string() : std::nullopt;
+  if (const auto student = root.optional("student")) student->string();
   const auto answers = root.required("answers");
   if (!answers || !answers->is(Json::Kind::object)) {
     if (answers) answers->error("must be an object of names and values, such as {\"P[1][0]\": [1, \"3/2\"]}");
@@ -93,8 +96,12 @@ Diagnostics lint(const JsonDocument& document) {
   switch (file_kind(document.root())) {
     case FileKind::lesson:
       return load_lesson(document).diagnostics;
-    case FileKind::exercise:
-      return read_exercise(document).diagnostics;
+    case FileKind::exercise: {
+      const auto exercise = read_exercise(document);
+      return exercise ? check_variants(document) : exercise.diagnostics;
+    }
+    case FileKind::assignment:
+      return read_assignment(document).diagnostics;
     case FileKind::trace:
       return read_trace(document).diagnostics;
     case FileKind::curve:
@@ -109,13 +116,16 @@ Diagnostics lint(const JsonDocument& document) {
     case FileKind::grade:
       expect_schema(root, "blossom.grade/1");
       break;
+    case FileKind::result:
+      expect_schema(root, "blossom.result/1");
+      break;
     case FileKind::schema:
       break;
     case FileKind::unknown:
       root.error(
           "is no file of Blossom's: \"schema\" must be \"blossom.lesson/1\", \"blossom.exercise/1\", "
-          "\"blossom.answers/1\" or "
-          "\"blossom.trace/1\"; a curve or surface has \"degree\" and \"points\"");
+          "\"blossom.assignment/1\", \"blossom.answers/1\" or \"blossom.trace/1\"; a curve or surface has \"degree\" "
+          "and \"points\"");
       break;
   }
   return diagnostics;
@@ -157,7 +167,8 @@ void set_up(CLI::App& app, int& status) {
 }  // namespace
 
 const Command& command_lint() {
-  static const Command command{"lint", "Check lessons, exercises, geometry, answers and traces", 40, set_up};
+  static const Command command{"lint", "Check lessons, exercises, assignments, geometry, answers and traces", 40,
+                               set_up};
   return command;
 }
 

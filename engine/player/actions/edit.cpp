@@ -1,7 +1,7 @@
 // Undo and redo, and how edits are made.
+#include "algorithms/typeset.hpp"
 #include "player/action.hpp"
 #include "player/player.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {

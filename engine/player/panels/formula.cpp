@@ -1,7 +1,7 @@
 // Where the step's value comes from: the formula with symbols, then with the numbers filled in, then the result.
+#include "algorithms/typeset.hpp"
 #include "player/ui/panel.hpp"
 #include "player/ui/ui.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {

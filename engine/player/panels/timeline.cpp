@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/typeset.hpp"
 #include "player/ui/panel.hpp"
 #include "player/ui/ui.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "algorithms/typeset.hpp"
 #include "player/panels/mouse.hpp"
 #include "player/ui/panel.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {

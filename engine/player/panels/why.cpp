@@ -1,7 +1,7 @@
 // "Why?": where a value comes from, down to what was given.
+#include "algorithms/typeset.hpp"
 #include "player/ui/panel.hpp"
 #include "player/ui/ui.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 namespace {

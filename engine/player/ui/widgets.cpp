@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/typeset.hpp"
 #include "player/action.hpp"
 #include "player/ui/ui.hpp"
 #include "render/rich_text.hpp"
-#include "scene/typeset.hpp"
 
 namespace blossom {
 

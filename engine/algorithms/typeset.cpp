@@ -1,4 +1,4 @@
-#include "scene/typeset.hpp"
+#include "algorithms/typeset.hpp"
 
 #include <algorithm>
 #include <array>

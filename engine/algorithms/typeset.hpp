@@ -2,10 +2,11 @@
 // Names and formulas as they stand in books: P with subscript 4 and superscript (1) for P[1][4], a Greek letter for
 // alpha, u with subscript k for u_k or u_{k+1}.
 
+#include <string>
 #include <string_view>
 
 #include "algorithms/algorithm.hpp"
-#include "scene/display_list.hpp"
+#include "algorithms/text_run.hpp"
 
 namespace blossom {
 

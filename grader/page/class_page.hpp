@@ -1,0 +1,41 @@
+#pragma once
+// The page an instructor gets: the class at a glance. Made from results.jsonl alone, line by line, in bounded memory:
+// for each submission at most 16 bytes and its student's ID.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/json.hpp"
+
+namespace blossom {
+
+// Histogram of scores; the hardest cells; misconceptions by count with a typical example; item statistics (difficulty:
+// mean share of points; discrimination: correlation of a part's share with the rest of the score); identical wrong
+// answers and other submissions worth a look; a table of students with links.
+class ClassStatistics {
+ public:
+  // Takes each file of the page as soon as it is whole, by its path relative to the folder of results: "class.html"
+  // last. The table of a class of more than 1000 students goes to pages of its own, "class/1.html", "class/2.html", ...
+  using Write = std::function<void(const std::string& file, std::string_view html)>;
+  ClassStatistics(std::string title, Write write);
+  ~ClassStatistics();
+  ClassStatistics(const ClassStatistics&) = delete;
+  ClassStatistics& operator=(const ClassStatistics&) = delete;
+
+  // The results of one student (blossom.result/1, the instructor's), in the order of the class, and where the student's
+  // page is, relative to the folder of results ("students/s17.html"; empty: there is none).
+  void add(const Json& result, std::string_view page);
+  // Once, after the last student.
+  void finish();
+
+  // The figures as JSON, for summary.json.
+  std::string json() const;
+
+ private:
+  struct Figures;
+  std::unique_ptr<Figures> figures_;
+};
+
+}  // namespace blossom

@@ -1,0 +1,212 @@
+#include "grader/page/student_page.hpp"
+
+#include <algorithm>
+
+#include "grader/page/assets.hpp"
+#include "grader/page/html.hpp"
+#include "grader/page/run_html.hpp"
+#include "grader/variant.hpp"
+
+namespace blossom {
+namespace {
+
+constexpr std::size_t most_given = 120;
+
+class StudentPage {
+ public:
+  explicit StudentPage(const StudentResult& result) : result_(result) {}
+
+  std::string write() {
+    const std::string& title = result_.assignment->title;
+    out_ = page_head(title + " – " + who(), assets::page_css);
+    out_ += "<header>\n<div>\n<h1>" + html_escape(title) + "</h1>\n<p class=\"who\">" + html_escape(who());
+    if (!result_.student.section.empty()) out_ += " · " + html_escape(result_.student.section);
+    out_ += "</p>\n</div>\n<p class=\"score\"><strong>" + number_text(result_.points) + "</strong> of " +
+            number_text(result_.max_points) + " points<span>" + percent_text(result_.score()) +
+            "</span></p>\n</header>\n<main>\n";
+    incidents({});
+    for (std::size_t i = 0; i < result_.exercises.size(); ++i) exercise(i);
+    out_ += "</main>\n";
+    if (any_run_) out_.append("<script>\n").append(assets::page_js).append("</script>\n");
+    out_ += "</body>\n</html>\n";
+    return std::move(out_);
+  }
+
+ private:
+  std::string who() const {
+    const Student& student = result_.student;
+    return student.name.empty() ? student.id : student.name + " (" + student.id + ")";
+  }
+
+  // What concerns the student; who else's the file may be, and what else was in the archive, does not.
+  void incidents(std::string_view exercise_id) {
+    for (const Incident& incident : result_.incidents) {
+      using Kind = Incident::Kind;
+      const Kind kind = incident.kind;
+      if (incident.exercise != exercise_id || kind == Kind::foreign_id || kind == Kind::unlisted ||
+          kind == Kind::refused || kind == Kind::late || (kind == Kind::missing && !exercise_id.empty()))
+        continue;
+      const std::string_view what = kind == Kind::duplicate    ? "Handed in more than once: "
+                                    : kind == Kind::unreadable ? "Not readable: "
+                                    : kind == Kind::misplaced  ? "Not part of this assignment: "
+                                                               : "";
+      out_.append("<p class=\"notice\">").append(what).append(html_escape(incident.text)).append(".</p>\n");
+    }
+  }
+
+  void exercise(std::size_t i) {
+    const ExerciseResult& made = result_.exercises[i];
+    const Assignment::Item& item = result_.assignment->items[made.item];
+    exercise_ = made.grade ? made.grade->exercise : made.grader ? &made.grader->exercise() : &item.exercise;
+    out_ += "<article>\n<div class=\"title\"><h2>";
+    if (result_.exercises.size() > 1) out_ += std::to_string(i + 1) + ". ";
+    out_ += html_escape(exercise_->title) + "</h2><p class=\"points\">" + number_text(made.points) + " of " +
+            number_text(made.max_points) + " points</p></div>\n";
+    // Whose own numbers are not known is not shown somebody else's.
+    if (made.grade || made.grader || !varies(item.document)) prompt();
+    incidents(exercise_->id);
+    lateness(made, item);
+    if (!made.grade) out_ += "<p class=\"notice\">Nothing was handed in for this exercise.</p>\n";
+    if (made.grade || made.grader) {
+      const StudentRun run(made);
+      if (made.grade) graded(*made.grade, run);
+      if (run.any_told()) append_run(out_, run);
+      any_run_ = any_run_ || run.any_told();
+    }
+    out_ += "</article>\n";
+  }
+
+  std::string math(std::string_view text) const { return math_html(text, *exercise_->run.algorithm); }
+
+  void prompt() {
+    const Narrator<Exact> narrator(exercise_->run, 7);
+    out_ += "<p class=\"prompt\">" + math(narrator.fill(exercise_->prompt, 0)) + "</p>\n";
+    const auto& trace = exercise_->run.trace;
+    std::string given;
+    std::size_t count = 0;
+    const auto [first, end] = trace.values_of(0);
+    for (ValueId v = first; v < end && count < most_given; ++v) {
+      const Name& name = trace.value(v).name;
+      // Single knots stand in their vector.
+      const bool listed = name.arity == 0 || trace.value(v).kind == ValueKind::point;
+      if (!listed || !trace.is_input(v)) continue;
+      ++count;
+      given += "<li>" + math_html(typeset_name(name, *exercise_->run.algorithm)) + " = " +
+               math(narrator.value_text(v)) + "</li>\n";
+    }
+    if (!given.empty())
+      out_ += "<details class=\"given\"><summary>The numbers of this exercise</summary>\n<ul>\n" + given +
+              "</ul></details>\n";
+  }
+
+  void lateness(const ExerciseResult& made, const Assignment::Item& item) {
+    if (made.submitted) out_ += "<p class=\"note\">Handed in " + when(*made.submitted) + ".</p>\n";
+    if (made.days_late <= 0 || !made.grade) return;
+    out_ +=
+        "<p class=\"notice\">" + std::to_string(made.days_late) + (made.days_late == 1 ? " day" : " days") + " late";
+    if (exercise_->max_points != Exact(0)) {
+      const Exact before = made.grade->points * item.points / exercise_->max_points;
+      const Exact lost = before - made.points;
+      if (Exact(0) < lost) out_ += ": " + number_text(made.points) + " of the " + number_text(before) + " points count";
+    }
+    out_ += ".</p>\n";
+  }
+
+  // "2026-10-01 21:59 UTC"
+  static std::string when(Time time) {
+    std::string text = format_time(time);
+    text[10] = ' ';
+    return text.substr(0, 16) + " UTC";
+  }
+
+  void graded(const Grade& grade, const StudentRun& run) {
+    if (!grade.reason.empty()) {
+      out_ += "<p class=\"notice\">This could not be graded: " + html_escape(grade.reason) + ".</p>\n";
+      return;
+    }
+    if (exercise_->feedback == Feedback::none) {
+      out_ += "<p class=\"note\">The answers are discussed later.</p>\n";
+      return;
+    }
+    explanation(grade);
+    parts(grade, run);
+    for (const std::string& note : grade.notes) out_ += "<p class=\"notice\">" + html_escape(note) + ".</p>\n";
+  }
+
+  void explanation(const Grade& grade) {
+    if (exercise_->feedback < Feedback::hint || !grade.explanation) return;
+    const Explanation& all = *grade.explanation;
+    if (all.wrong < 2) return;  // the part itself says it
+    out_ += "<p class=\"explanation\">";
+    const auto values = [](std::size_t n) { return std::to_string(n) + (n == 1 ? " value" : " values"); };
+    if (all.misconceptions.empty()) {
+      out_ += "No single mistake explains the " + values(all.wrong) + " that went wrong: look at each of them.";
+    } else {
+      if (all.covered == all.wrong)
+        out_ += "All " + values(all.wrong) + " that went wrong come from ";
+      else
+        out_ += std::to_string(all.covered) + " of the " + values(all.wrong) + " that went wrong " +
+                (all.covered == 1 ? "comes from " : "come from ");
+      out_ += all.misconceptions.size() == 1 ? "one mistake: " : "two mistakes: ";
+      for (std::size_t i = 0; i < all.misconceptions.size(); ++i)
+        out_ += (i > 0 ? ", and " : "") + ("<strong>" + math(all.misconceptions[i]->title) + "</strong>");
+      out_ += ".";
+    }
+    out_ += "</p>\n";
+  }
+
+  void parts(const Grade& grade, const StudentRun& run) {
+    out_ +=
+        "<div class=\"scroll\"><table class=\"parts\">\n<thead><tr><th scope=\"col\">Value</th><th scope=\"col\">Your "
+        "answer</th><th scope=\"col\">Verdict</th><th scope=\"col\">Points</th>";
+    const bool advises = exercise_->feedback >= Feedback::hint;
+    if (advises) out_ += "<th scope=\"col\">What to know</th>";
+    out_ += "</tr></thead>\n<tbody>\n";
+    std::vector<std::string_view> said;
+    bool any_carried = false;
+    for (std::size_t i = 0; i < grade.parts.size(); ++i) {
+      const Part& part = exercise_->parts[i];
+      const PartGrade& graded = grade.parts[i];
+      any_carried = any_carried || graded.verdict == Verdict::carried;
+      const Json* typed = run.typed()[i];
+      out_ += "<tr><th scope=\"row\">" + math(part.name) + "</th><td data-label=\"Your answer\" class=\"typed\">" +
+              (typed == nullptr ? "–" : html_escape(typed_text(*typed))) + "</td><td data-label=\"Verdict\">" +
+              sign_html(sign_of(graded.verdict)) + "</td><td data-label=\"Points\" class=\"number\">" +
+              number_text(graded.points) + " / " + number_text(part.points) + "</td>";
+      if (advises) {
+        const bool nothing = graded.verdict == Verdict::correct || graded.feedback.empty();
+        out_ += std::string("<td class=\"advice") + (nothing ? " none" : "") + "\">" +
+                (nothing ? std::string() : math(feedback(graded, said))) + "</td>";
+      }
+      out_ += "</tr>\n";
+    }
+    out_ += "</tbody></table></div>\n";
+    if (any_carried)
+      out_ += "<p class=\"note\">Carried over: the right rule, on a value of yours that was wrong before.</p>\n";
+  }
+
+  // Advice that was given already is only named.
+  std::string feedback(const PartGrade& part, std::vector<std::string_view>& said) const {
+    const auto& known = exercise_->run.algorithm->misconceptions;
+    const auto m = std::ranges::find(known, part.misconception, &Misconception::id);
+    if (part.misconception.empty() || m == known.end()) return part.feedback;
+    if (std::ranges::find(said, part.misconception) == said.end()) {
+      said.push_back(part.misconception);
+      return part.feedback;
+    }
+    const std::string advice = advice_of(*m);
+    if (!part.feedback.starts_with(advice)) return part.feedback;
+    return "As above: " + std::string(m->title) + "." + part.feedback.substr(advice.size());
+  }
+
+  const StudentResult& result_;
+  const Exercise* exercise_ = nullptr;
+  std::string out_;
+  bool any_run_ = false;
+};
+
+}  // namespace
+
+std::string student_page(const StudentResult& result) { return StudentPage(result).write(); }
+
+}  // namespace blossom

@@ -1,0 +1,23 @@
+#pragma once
+// Points in time as files have them: RFC 3339, always with an offset, to the second.
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/json.hpp"
+
+namespace blossom {
+
+using Time = std::chrono::sys_seconds;
+
+// "2026-10-01T23:59:00+02:00", "2026-10-01T21:59:00Z"; fractions of a second are dropped. Years 1970 to 9999. Nothing
+// if it is no such text, or no such day.
+std::optional<Time> parse_time(std::string_view);
+// In UTC: "2026-10-01T21:59:00Z".
+std::string format_time(Time);
+// A string with such a time, or a diagnostic.
+std::optional<Time> read_time(const Cursor&);
+
+}  // namespace blossom

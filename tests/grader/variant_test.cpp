@@ -1,0 +1,265 @@
+// Variants of the shipped exercises, held against grader/VARIANTS.md by another route: everything is computed again
+// from the variant's file, in the order of the trace, and answers are judged as handed-in ones are.
+
+#include <filesystem>
+#include <set>
+
+#include "base/json_write.hpp"
+#include "grader/helpers.hpp"
+#include "grader/variant.hpp"
+
+using namespace blossom;
+
+namespace {
+
+const std::string secret = "correct horse battery";
+constexpr int students = 300;
+
+std::vector<JsonDocument> varying_exercises() {
+  std::vector<JsonDocument> found;
+  for (const auto& file : std::filesystem::directory_iterator("exercises")) {
+    if (file.path().extension() != ".json") continue;
+    auto document = JsonDocument::load(file.path());
+    if (document && varies(*document) && document->root().find("schema")->text == "blossom.exercise/1")
+      found.push_back(std::move(*document));
+  }
+  return found;
+}
+
+JsonDocument variant_of(const VariantMaker& maker, const std::string& student) {
+  auto variant = maker.make(student, secret);
+  INFO(to_string(variant.diagnostics));
+  REQUIRE(variant);
+  return std::move(*variant);
+}
+
+// Whether typed numbers would be accepted, by the way a submission takes.
+bool is_right(const Part& part, const Numbers<Exact>& typed) {
+  std::vector<Json> items;
+  for (const Exact& x : typed) items.push_back(json_string(x.to_string()));
+  return match(part, part.is_single() ? items.at(0) : json_array(std::move(items))) == Match::right;
+}
+
+// All values as somebody has them who holds a misconception throughout, in its `choice`-th way; or in one value only.
+class WrongRun final : public Site {
+ public:
+  WrongRun(const Run<Exact>& run, const Misconception& misconception) : run_(&run), misconception_(&misconception) {
+    for (ValueId v = 0; v < run.trace.value_count(); ++v) {
+      const auto numbers = run.trace.numbers(v);
+      own_.emplace_back(numbers.begin(), numbers.end());
+    }
+    touched_.assign(own_.size(), false);
+  }
+  void throughout(std::size_t choice) {
+    for (ValueId v = 0; v < own_.size(); ++v) {
+      if (run_->trace.is_input(v)) continue;
+      const auto wrong = candidates(v);
+      touched_[v] = !wrong.empty();
+      std::vector<NumbersView<Exact>> operands;
+      for (const ValueId o : run_->trace.operands(v)) {
+        touched_[v] = touched_[v] || touched_[o];
+        operands.emplace_back(own_[o]);
+      }
+      Numbers<Exact> made;
+      if (!wrong.empty())
+        made = wrong[std::min(choice, wrong.size() - 1)];
+      else if (touched_[v] && !run_->trace.value(v).rule->replay<Exact>()(operands, made))
+        made.clear();
+      if (touched_[v]) own_[v] = made;
+      ways_ = std::max(ways_, wrong.size());
+    }
+  }
+  std::vector<Numbers<Exact>> candidates(ValueId v) {
+    value_ = v;
+    return misconception_->wrong(*this);
+  }
+  std::size_t ways() const { return ways_; }
+  bool touched(ValueId v) const { return touched_[v]; }
+  const Numbers<Exact>& own(ValueId v) const { return own_[v]; }
+
+  const Trace<Exact>& trace() const override { return run_->trace; }
+  const Inputs<Exact>& inputs() const override { return run_->inputs; }
+  ValueId value() const override { return value_; }
+  NumbersView<Exact> numbers(ValueId v) const override {
+    return own_[v].empty() ? run_->trace.numbers(v) : NumbersView<Exact>(own_[v]);
+  }
+
+ private:
+  const Run<Exact>* run_;
+  const Misconception* misconception_;
+  std::vector<Numbers<Exact>> own_;
+  std::vector<bool> touched_;
+  std::size_t ways_ = 1;
+  ValueId value_ = absent;
+};
+
+std::size_t digits(const Exercise& exercise) {
+  std::size_t count = 0;
+  for (const Part& part : exercise.parts)
+    for (const Exact& x : part.right)
+      for (const char c : x.to_string()) count += std::isdigit(static_cast<unsigned char>(c)) != 0 ? 1 : 0;
+  return count;
+}
+
+std::int64_t largest_denominator(const Exercise& exercise) {
+  std::int64_t largest = 1;
+  for (const Part& part : exercise.parts)
+    for (const Exact& x : part.right) {
+      std::int64_t d = 1;
+      while (!(x * Exact(d)).is_integer()) ++d;
+      largest = std::max(largest, d);
+    }
+  return largest;
+}
+
+void check_something_to_compute(const Exercise& exercise) {
+  const auto& trace = exercise.run.trace;
+  for (const Part& part : exercise.parts) {
+    if (part.kind == ValueKind::integer) continue;
+    INFO(part.name);
+    std::vector<ValueId> others(trace.operands(part.value).begin(), trace.operands(part.value).end());
+    for (ValueId v = 0; v < trace.value_count(); ++v)
+      if (trace.is_input(v)) others.push_back(v);
+    // The point of a rational curve is the projection of what its scheme ends with.
+    if (part.name == "C") others.erase(others.begin());
+    for (const ValueId v : others)
+      if (trace.value(v).kind == part.kind) {
+        INFO(trace.name(v));
+        CHECK_FALSE(is_right(part, part.as_typed(trace.numbers(v))));
+      }
+    if (part.kind == ValueKind::scalar) {
+      CHECK_FALSE(is_right(part, {Exact(0)}));
+      CHECK_FALSE(is_right(part, {Exact(1)}));
+    }
+    if (part.kind == ValueKind::point)
+      CHECK(std::any_of(part.right.begin(), part.right.begin() + part.dimension,
+                        [](const Exact& x) { return x != Exact(0); }));
+  }
+}
+
+// How many asked values the misconceptions were found wrong in.
+std::size_t check_misconceptions(const Exercise& exercise) {
+  std::size_t seen = 0;
+  for (const Misconception& misconception : exercise.run.algorithm->misconceptions) {
+    INFO(misconception.id);
+    WrongRun right(exercise.run, misconception);
+    for (const Part& part : exercise.parts)
+      for (const auto& wrong : right.candidates(part.value)) {
+        const auto typed = part.as_typed(wrong);
+        INFO("only at " << part.name);
+        if (!typed.empty()) CHECK_FALSE(is_right(part, typed));
+        ++seen;
+      }
+    std::size_t ways = 1;
+    for (std::size_t choice = 0; choice < ways; ++choice) {
+      WrongRun wrong(exercise.run, misconception);
+      wrong.throughout(choice);
+      ways = wrong.ways();
+      for (const Part& part : exercise.parts) {
+        if (!wrong.touched(part.value)) continue;
+        const auto typed = part.as_typed(wrong.own(part.value));
+        INFO("throughout, way " << choice << ", at " << part.name);
+        if (!typed.empty()) CHECK_FALSE(is_right(part, typed));
+        ++seen;
+      }
+    }
+  }
+  return seen;
+}
+
+std::string shape_of(const Exercise& exercise) {
+  std::string text;
+  for (ValueId v = 0; v < exercise.run.trace.value_count(); ++v)
+    text += exercise.run.trace.name(v) + " " + std::to_string(exercise.run.trace.value(v).step) + "\n";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("Variants of shipped exercises are all that VARIANTS.md says") {
+  const auto exercises = varying_exercises();
+  REQUIRE(exercises.size() >= 5);
+  for (const JsonDocument& document : exercises) {
+    const auto model = read_exercise(document);
+    REQUIRE(model);
+    const VariantMaker maker(document);
+    const auto most_denominator = std::max<std::int64_t>(100, largest_denominator(*model));
+    const std::string shape = shape_of(*model);
+    std::set<std::string> different;
+    for (int i = 0; i < students; ++i) {
+      const auto variant = variant_of(maker, "s" + std::to_string(i));
+      INFO("student s" << i << " of secret \"" << secret << "\": " << variant.text());
+      CHECK_FALSE(varies(variant));
+      const auto exercise = read_exercise(variant);
+      INFO(to_string(exercise.diagnostics));
+      REQUIRE(exercise);
+      different.insert(variant.text());
+      CHECK(exercise->id == model->id);
+      CHECK(exercise->max_points == model->max_points);
+      REQUIRE(shape_of(*exercise) == shape);
+      check_something_to_compute(*exercise);
+      CHECK(largest_denominator(*exercise) <= most_denominator);
+      CHECK(2 * digits(*exercise) <= 3 * digits(*model));
+      CHECK(2 * digits(*model) <= 3 * digits(*exercise));
+      CHECK(check_misconceptions(*exercise) >= exercise->parts.size());
+    }
+    // So many that hardly two of a class have the same.
+    CHECK(different.size() >= students - 10);
+  }
+}
+
+TEST_CASE("One's own right answers earn everything, another student's do not") {
+  for (const JsonDocument& document : varying_exercises()) {
+    const VariantMaker maker(document);
+    const Grader ada(*read_exercise(variant_of(maker, "ada"))), bob(*read_exercise(variant_of(maker, "bob")));
+    INFO(ada.exercise().id);
+    CHECK(grade_answers_to(ada, all_answers(ada.exercise())).score() == 1);
+    CHECK(grade_answers_to(bob, all_answers(bob.exercise())).score() == 1);
+    CHECK(grade_answers_to(bob, all_answers(ada.exercise())).score() < 1);
+    CHECK(grade_answers_to(ada, all_answers(bob.exercise())).score() < 1);
+  }
+}
+
+TEST_CASE("A variant is the exercise with other inputs, and the prompt with other numbers") {
+  for (const JsonDocument& document : varying_exercises()) {
+    const auto variant = make_variant(document, "s17", secret);
+    REQUIRE(variant);
+    std::vector<std::string> keys = document.root().keys;
+    std::erase(keys, "vary");
+    REQUIRE(variant->root().keys == keys);
+    for (const auto& key : keys)
+      if (key != "inputs") CHECK(write_json(*variant->root().find(key)) == write_json(*document.root().find(key)));
+    CHECK(write_json(*variant->root().find("inputs")) != write_json(*document.root().find("inputs")));
+    const auto exercise = read_exercise(*variant);
+    REQUIRE(exercise);
+    CHECK(exercise->prompt.find_first_of("{}") == std::string::npos);
+    CHECK(exercise->prompt != read_exercise(document)->prompt);
+    CHECK(variant_of(VariantMaker(document), "s17").text() == variant->text());
+  }
+}
+
+TEST_CASE("Where nothing varies the variant is the exercise") {
+  const auto document = JsonDocument::load("exercises/01-de-casteljau.json");
+  REQUIRE(document);
+  CHECK_FALSE(varies(*document));
+  CHECK(make_variant(*document, "s17", secret)->text() == document->text());
+  CHECK(check_variants(*document).empty());
+}
+
+TEST_CASE("Secrets and IDs, whatever bytes they have, make variants of their own") {
+  const auto document = JsonDocument::load("exercises/19-own-degree-elevation.json");
+  REQUIRE(document);
+  std::set<std::string> texts;
+  std::size_t count = 0;
+  for (const std::string& key : {secret, std::string("another horse battery"), std::string(4096, '\0')})
+    for (const std::string& id :
+         {std::string(), std::string("s17"), std::string("S17"), std::string("s17 "), std::string(1, '\0'),
+          std::string("\xFF\xFE"), std::string("\"}{\n</script>"), std::string(1 << 20, 'x')}) {
+      const auto variant = make_variant(*document, id, key);
+      REQUIRE(variant);
+      texts.insert(variant->text());
+      CHECK(make_variant(*document, id, key)->text() == variant->text());
+      ++count;
+    }
+  CHECK(texts.size() == count);
+}
