@@ -1,7 +1,10 @@
 #include "grader/answers.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+
+#include "lesson/file_kind.hpp"
 
 namespace blossom {
 namespace {
@@ -51,6 +54,35 @@ std::string kind_of(const Json& json) {
       return "an object";
   }
   return {};
+}
+
+char lower(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+// The one asked value that the name has the letters of, ignoring their case; nothing where it is another value's name.
+std::optional<std::size_t> in_other_case(const Exercise& exercise, const std::string& name) {
+  if (exercise.run.trace.find(name)) return std::nullopt;
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < exercise.parts.size(); ++i) {
+    if (!std::ranges::equal(exercise.parts[i].name, name, {}, lower, lower)) continue;
+    if (found) return std::nullopt;
+    found = i;
+  }
+  return found;
+}
+
+// Why a text is no number, with what is right instead.
+std::string no_number(const std::string& text) {
+  constexpr std::size_t longest = 400;  // of Exact::parse
+  const std::string typed = "contains the text " + excerpt(text) + ", ";
+  if (text.size() > longest) return typed + "which is longer than a number may be: 400 characters";
+  std::string tidy = text;
+  std::erase_if(tidy, [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; });
+  const bool blank = tidy != text;
+  const std::size_t comma = tidy.find(',');
+  if (comma != std::string::npos) tidy[comma] = '.';
+  if (!parse_typed(tidy)) return typed + "which is no number such as 0.4 or \"2/5\"";
+  return typed + "which has a " + (comma != std::string::npos ? "comma for its decimal point" : "blank in it") +
+         (comma != std::string::npos && blank ? " and a blank in it" : "") + ": write " + excerpt(tidy);
 }
 
 std::string not_asked(const Exercise& exercise, const std::string& name) {
@@ -104,6 +136,9 @@ Answers match_answers(const Exercise& exercise, const Json& root) {
     answers.reason = std::move(reason);
     return answers;
   };
+  const FileKind kind = file_kind(root);
+  if (kind != FileKind::answers && kind != FileKind::unknown)
+    return invalid("is " + with_article(kind) + ", not an answers file");
   if (root.kind != Json::Kind::object)
     return invalid("must be an object {\"schema\", \"exercise\", \"answers\"}, not " + kind_of(root));
   const std::string* schema = string_at(root, "schema");
@@ -115,7 +150,11 @@ Answers match_answers(const Exercise& exercise, const Json& root) {
     return invalid("\"exercise\" must be " + excerpt(exercise.id) +
                    (id != nullptr ? ", not " + excerpt(*id) : std::string()));
   const Json* given = root.find("answers");
-  if (given == nullptr || given->kind != Json::Kind::object)
+  if (given == nullptr) {
+    const auto near = did_you_mean("answers", root.keys);
+    return invalid("\"answers\" is missing" + (near ? "; did you mean it by " + excerpt(*near) + "?" : std::string()));
+  }
+  if (given->kind != Json::Kind::object)
     return invalid("\"answers\" must be an object of names and values such as {\"k\": 4}");
 
   answers.part.assign(exercise.parts.size(), nullptr);
@@ -129,8 +168,13 @@ Answers match_answers(const Exercise& exercise, const Json& root) {
   for (std::size_t i = 0; i < given->keys.size(); ++i) {
     if (const auto part = exercise.part(given->keys[i]))
       answers.part[*part] = &given->items[i];
-    else
+    else if (const auto meant = in_other_case(exercise, given->keys[i]);
+             meant && given->find(exercise.parts[*meant].name) == nullptr)
+      answers.misnamed.emplace_back(*meant, given->keys[i]);
+    else {
+      answers.ignored.push_back(&given->keys[i]);
       ignore([&] { return not_asked(exercise, given->keys[i]); });
+    }
   }
   if (ignored > most_notes) answers.notes.push_back(std::to_string(ignored - most_notes) + " more were ignored");
   return answers;
@@ -141,9 +185,10 @@ Typed read_typed(const Part& part, const Json& json) {
   const auto take = [&](const Json& number) {
     auto value = is_number(number) ? parse_typed(number.text) : std::nullopt;
     if (!value) {
-      typed.problem = "contains " + kind_of(number) +
-                      (is_number(number) ? ", which is no number of at most 400 characters, such as 0.4 or \"2/5\""
-                                         : " where a number must be");
+      typed.problem = number.kind == Json::Kind::string ? no_number(number.text)
+                      : number.kind == Json::Kind::number
+                          ? "contains " + kind_of(number) + ", which is too long or too extreme to compute with"
+                          : "contains " + kind_of(number) + " where a number must be";
       return false;
     }
     typed.texts.push_back(number.text);
@@ -176,6 +221,35 @@ Typed read_typed(const Part& part, const Json& json) {
     return sorted;
   }
   return typed;
+}
+
+std::string near_miss(const Part& part, NumbersView<Exact> traced, const Typed& typed) {
+  const Tolerance& asked = part.tolerance;
+  const auto right = part.as_typed(traced);
+  if (asked.kind == Tolerance::Kind::exact || part.as_set || right.size() != typed.numbers.size()) return {};
+  bool outside = false;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    const double off = std::abs((typed.numbers[i] - right[i]).to_double());
+    if (!(off <= 20 * slack(asked, right[i]).to_double())) return {};
+    outside = outside || !within(asked, right[i], typed.numbers[i]);
+  }
+  if (!outside) return {};
+  const auto digits = [&](const std::string& kind) {
+    return std::to_string(asked.digits) + " " + kind + (asked.digits == 1 ? " is asked" : "s are asked");
+  };
+  switch (asked.kind) {
+    case Tolerance::Kind::exact:
+      break;
+    case Tolerance::Kind::decimals:
+      return digits("decimal");
+    case Tolerance::Kind::significant:
+      return digits("significant digit");
+    case Tolerance::Kind::absolute:
+      return "it may be off by at most " + format_number(asked.amount.to_double());
+    case Tolerance::Kind::relative:
+      return "it may be off by at most " + format_number(100 * asked.amount.to_double()) + " %";
+  }
+  return {};
 }
 
 Match match(const Part& part, const Json& json) {

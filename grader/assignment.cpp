@@ -86,7 +86,11 @@ class AssignmentReader {
                                                  {"verdict", Feedback::verdict},
                                                  {"hint", Feedback::hint},
                                                  {"full", Feedback::full}});
-    if (const auto at = root_.optional("full_feedback_from")) assignment.full_feedback_from = read_time(*at);
+    if (const auto at = root_.optional("full_feedback_from")) {
+      assignment.full_feedback_from = read_time(*at);
+      if (assignment.full_feedback_from && assignment.due && *assignment.full_feedback_from < *assignment.due)
+        at->error("is before \"due\": everybody would have the solutions while answers are still handed in");
+    }
     const auto exercises = root_.required("exercises");
     if (!exercises || !exercises->expect_array(1, most_exercises)) return;
     for (std::size_t i = 0; i < exercises->size(); ++i) read_item((*exercises)[i]);
@@ -214,6 +218,19 @@ std::optional<std::size_t> Assignment::item(std::string_view exercise_id) const 
   return std::nullopt;
 }
 
+std::string no_exercise_of(const Assignment& assignment, std::string_view id) {
+  constexpr std::size_t most_named = 8;
+  std::vector<std::string> ids;
+  std::string named;
+  for (const Assignment::Item& item : assignment.items) {
+    if (ids.size() < most_named) named += (ids.empty() ? "" : ", ") + excerpt(item.exercise.id);
+    ids.push_back(item.exercise.id);
+  }
+  std::string text = excerpt(id) + " is no exercise of this assignment";
+  if (const auto near = did_you_mean(id, ids)) return text + "; did you mean " + excerpt(*near) + "?";
+  return text + (ids.size() == 1 ? ", which is " : ", which has ") + named + (ids.size() > most_named ? ", ..." : "");
+}
+
 Feedback Assignment::feedback_at(std::size_t item, Time now) const {
   if (full_feedback_from && *full_feedback_from <= now) return Feedback::full;
   return feedback.value_or(items[item].exercise.feedback);
@@ -226,6 +243,12 @@ Checked<Assignment> read_assignment(const JsonDocument& document) {
     reader.read();
     if (!diagnostics.empty()) return diagnostics;
     return std::move(reader.assignment);
+  }
+  if (const FileKind kind = file_kind(document.root()); kind != FileKind::exercise && kind != FileKind::unknown) {
+    Cursor(document, diagnostics)
+        .error("is " + with_article(kind) +
+               ", where an exercise or an assignment is wanted (schema blossom.exercise/1 or blossom.assignment/1)");
+    return diagnostics;
   }
   auto exercise = read_exercise(document);
   if (!exercise) return exercise.diagnostics;

@@ -62,4 +62,7 @@ struct Assignment {
 Checked<Assignment> read_assignment(const JsonDocument&);
 Checked<Assignment> load_assignment(const std::filesystem::path&);
 
+// What to say of an ID that names none of its exercises: those there are, or the one that was probably meant.
+std::string no_exercise_of(const Assignment&, std::string_view id);
+
 }  // namespace blossom

@@ -3,9 +3,12 @@
 // `blossom-grade EXERCISE ANSWERS...` without a subcommand's name is the subcommand `grade`.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/diagnostics.hpp"
 #include "base/exit.hpp"
 
 namespace blossom {
@@ -19,5 +22,16 @@ struct GradeCommand {
 };
 
 const std::vector<const GradeCommand*>& grade_commands();
+
+// A check for an option that takes one of these words.
+inline auto is_one_of(std::vector<std::string> words) {
+  return [words = std::move(words)](const std::string& text) {
+    if (std::ranges::find(words, text) != words.end()) return std::string();
+    const auto near = did_you_mean(text, words);
+    std::string known;
+    for (const std::string& word : words) known += (known.empty() ? "" : ", ") + word;
+    return excerpt(text) + " is none of " + known + (near ? "; did you mean " + *near + "?" : "");
+  };
+}
 
 }  // namespace blossom

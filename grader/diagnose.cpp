@@ -18,6 +18,14 @@ double denominator(const Exact& x) {
   return std::strtod(text.c_str() + text.find('/') + 1, nullptr);
 }
 
+// Of a decimal as typed: 3 of "-0.0250".
+int significant_digits(std::string_view typed) {
+  int count = 0;
+  for (const char c : typed.substr(0, typed.find_first_of("eE")))
+    count += '0' <= c && c <= '9' && (count > 0 || c != '0') ? 1 : 0;
+  return count;
+}
+
 std::string coordinate_name(const Part& part, std::size_t i) {
   constexpr std::string_view coordinate[] = {"x", "y", "z"};
   return i < static_cast<std::size_t>(part.dimension) ? std::string(coordinate[i]) : "the weight";
@@ -217,6 +225,24 @@ std::optional<Slip> find_slip(const Part& part, NumbersView<Exact> expected, con
     }
   }
   return std::nullopt;
+}
+
+bool is_rounded(const Part& part, NumbersView<Exact> expected, const Typed& typed) {
+  auto right = part.as_typed(expected);
+  if (part.kind == ValueKind::integer || right.empty() || right.size() != typed.numbers.size()) return false;
+  if (part.as_set) std::ranges::sort(right);
+  bool any = false;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    const Exact& number = typed.numbers[i];
+    if (within(part.tolerance, right[i], number)) continue;
+    const std::string_view text = typed.texts[i];
+    if (text.find('.') == std::string_view::npos || significant_digits(text) < 2) return false;
+    const double place = last_place(text), off = std::abs((right[i] - number).to_double());
+    const bool cut_off = off < place && abs(number) < abs(right[i]);
+    if (off > place / 2 * (1 + 1e-12) && !cut_off) return false;
+    any = true;
+  }
+  return any;
 }
 
 std::optional<std::string> only_wrong_coordinate(const Part& part, NumbersView<Exact> expected, const Typed& typed,

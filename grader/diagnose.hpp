@@ -142,6 +142,10 @@ struct Slip {
 };
 std::optional<Slip> find_slip(const Part&, NumbersView<Exact> expected, const Typed&);
 
+// Whether it is the expected value rounded, or cut off, to the decimals that were typed: at least two digits of each
+// number that is not within the tolerance, behind a decimal point where there is one.
+bool is_rounded(const Part&, NumbersView<Exact> expected, const Typed&);
+
 // The only coordinate of a point that is not the expected one, as a word; nothing unless there is exactly one.
 std::optional<std::string> only_wrong_coordinate(const Part&, NumbersView<Exact> expected, const Typed&,
                                                  const std::vector<double>& widening);

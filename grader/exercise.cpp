@@ -6,6 +6,7 @@
 #include "algorithms/selector.hpp"
 #include "grader/variant_spec.hpp"
 #include "lesson/document.hpp"
+#include "lesson/file_kind.hpp"
 #include "lesson/lesson.hpp"
 
 namespace blossom {
@@ -165,8 +166,7 @@ class ExerciseReader {
       model.as_set = found && *found;
     }
     if (const auto voided = at.optional("void"))
-      model.voided =
-          one_of<Voided>(*voided, {{"credit", Voided::credit}, {"drop", Voided::drop}}).value_or(Voided::no);
+      model.voided = one_of<Voided>(*voided, {{"credit", Voided::credit}, {"drop", Voided::drop}}).value_or(Voided::no);
     if (model.voided == Voided::drop) model.points = 0;
     const auto own_tolerance = at.optional("tolerance");
     if (own_tolerance)
@@ -272,19 +272,34 @@ class ExerciseReader {
     }
     if (part.as_set) std::ranges::sort(part.right);
     for (const Exact& x : part.right) part.windows.push_back(window(part.tolerance, x));
-    const std::string formula = narrator_->formula(part.value), result = narrator_->value_text(part.value);
+    const std::string formula = narrator_->formula(part.value), result = result_text(part);
     part.formula = part.name + " = " + formula;
     part.solution = part.name + " = ";
     if (is_sentence(formula)) {
       part.solution += result + ", " + formula;
     } else {
-      if (const auto with_numbers = narrator_->numbers(part.value); with_numbers.size() <= longest_formula)
-        part.solution += formula + " = " + (with_numbers == result ? "" : with_numbers + " = ");
+      const auto with_numbers = narrator_->numbers(part.value);
+      const bool copied = result.starts_with(with_numbers);
+      if (with_numbers.size() <= longest_formula)
+        part.solution += formula + " = " + (copied ? "" : with_numbers + " = ");
       part.solution += result;
     }
     exercise.max_points += part.points;
     exercise.part_of_name.emplace(part.name, exercise.parts.size());
     exercise.parts.push_back(std::move(part));
+  }
+
+  // Where its equation ends: what is computed, and then what is asked of it.
+  std::string result_text(const Part& part) const {
+    switch (part.form) {
+      case Form::affine:
+        break;
+      case Form::homogeneous:
+        return narrator_->operand_text(part.value);
+      case Form::weight:
+        return narrator_->operand_text(part.value) + ": w = " + format_brief(part.right[0]);
+    }
+    return narrator_->made_text(part.value);
   }
 
   // Whether each right number is one that Exact::parse reads. Counts what the right answers take in a submission.
@@ -407,6 +422,11 @@ std::optional<std::size_t> Exercise::part(std::string_view name) const {
 Checked<Exercise> read_exercise(const JsonDocument& document) {
   Diagnostics diagnostics;
   const Cursor root(document, diagnostics);
+  // Of a file of another kind everything would be wrong.
+  if (const FileKind kind = file_kind(document.root()); kind != FileKind::exercise && kind != FileKind::unknown) {
+    root.error("is " + with_article(kind) + ", where an exercise is wanted (schema blossom.exercise/1)");
+    return diagnostics;
+  }
   ExerciseReader reader(root);
   reader.read();
   if (!diagnostics.empty()) return diagnostics;

@@ -40,7 +40,7 @@ enum class Feedback : std::uint8_t {
 // A part that turned out to be at fault after it was handed out.
 enum class Voided : std::uint8_t {
   no,
-  credit,  // everybody gets its points
+  credit,  // everybody whose answers could be read gets its points
   drop,    // it counts for nobody: it is worth no points
 };
 

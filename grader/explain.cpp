@@ -356,6 +356,9 @@ std::optional<Explanation> Explainer::Case::explain() {
     return rank(a) < rank(b);
   });
   for (Hypothesis& hypothesis : hypotheses) {
+    bool denied = false;
+    for_each_of(hypothesis.held, [&](std::size_t m) { denied = denied || is_denied(m, hypothesis.covers); });
+    if (denied) continue;
     const double by_chance = chance(hypothesis);
     made.chance = std::min(made.chance, by_chance);
     if (by_chance >= most_by_chance) continue;
@@ -367,6 +370,36 @@ std::optional<Explanation> Explainer::Case::explain() {
     break;
   }
   return made;
+}
+
+bool Explainer::Case::is_denied(std::size_t m, const std::vector<char>& explained) const {
+  struct Count {
+    std::size_t covered = 0, denied = 0;
+    bool speaks_against() const { return denied > 1 && denied > covered; }
+  } all, first;
+  std::size_t unexplained = 0, elsewhere = contradicted(held(m));
+  for (std::size_t k = 0; k < size_; ++k) {
+    if (!counts(k)) continue;
+    const bool covers = fit(m, k).covered;
+    const bool acts = ((predictions_->differ_at()[symptoms_->open[k]] | hidden_[k]) & held(m)) != 0;
+    unexplained += !covers && explained[k] == 0 ? 1 : 0;
+    elsewhere += !covers && acts ? 1 : 0;
+    const bool is_first = !symptoms_->meant->operands_changed(part(k).value);
+    const auto add = [&](std::size_t Count::*what) {
+      ++(all.*what);
+      if (is_first) ++(first.*what);
+    };
+    if (covers)
+      add(&Count::covered);
+    else if (acts && explained[k] == 0)
+      add(&Count::denied);
+  }
+  const bool stray = all.covered < 2 && unexplained > 1 && elsewhere > 1;
+  return all.speaks_against() || first.speaks_against() || stray;
+}
+
+bool Explainer::Case::is_contradicted(std::size_t m) const {
+  return m < count_ && is_denied(m, best_ ? best_->covers : std::vector<char>(size_, 0));
 }
 
 const Misconception* Explainer::Case::acts_at(std::size_t k) const {

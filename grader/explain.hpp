@@ -24,6 +24,14 @@
 // It must be below 1/40 for single ones and for pairs, so that of a class that hands in nothing but noise at most every
 // twentieth gets a name. Otherwise the explanation is unknown, though a value may still be named for itself.
 //
+// Nor is claimed what the answer contradicts. A wrong value denies a misconception that acts there and would make
+// something else, neither this value nor, in a pair, left to the other one. Once may be a slip; from two on, those that
+// deny it must not be more than those that it covers: neither of all, nor of those whose operands are right, where no
+// earlier mistake of their own can be what made the difference. (Another student's answers fit a misconception in their
+// last levels, if that turns one's parameter into the other's, but not in the first.) Values that are right do not
+// count in this, since bugs come and go; but of one value alone, where two or more others remain unexplained, two
+// values of any kind at which the misconception would show and does not are enough.
+//
 // Slip or misconception, where a value can be either: it is the misconception if that covers another value too, or if
 // it is the only value where it can show; it is the slip if the student had the chance to break the rule elsewhere, and
 // did not.
@@ -78,6 +86,8 @@ class Explainer::Case {
 
   // Of all together, after the slips are known; nothing where no part counts.
   std::optional<Explanation> explain();
+  // Whether the wrong values that are not its own speak against it.
+  bool is_contradicted(std::size_t m) const;
   // Which misconception of that explanation acts here; nullptr where it covers nothing.
   const Misconception* acts_at(std::size_t k) const;
 
@@ -116,6 +126,7 @@ class Explainer::Case {
   bool may_act_jointly(Held pair, std::size_t k) const;
   void replay_pair(Hypothesis&);
   std::size_t contradicted(Held) const;
+  bool is_denied(std::size_t m, const std::vector<char>& explained) const;
   double chance(const Hypothesis&) const;
   double chance_by_itself(const Hypothesis&, std::size_t m) const;
   double guess(std::size_t m, std::size_t k) const;

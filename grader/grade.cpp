@@ -1,6 +1,8 @@
 #include "grader/grade.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <unordered_set>
 
 namespace blossom {
 namespace {
@@ -33,6 +35,34 @@ std::vector<double> roundings(const Part& part, const Typed& typed) {
   for (std::size_t i = 0; i < typed.texts.size(); ++i)
     rounding.push_back(std::min(rounding_of(typed.texts[i]), slack(part.tolerance, typed.numbers[i]).to_double()));
   return rounding;
+}
+
+std::string digits_asked(const Tolerance& tolerance) {
+  const auto count = [&](const std::string& what) {
+    return std::to_string(tolerance.digits) + " " + what + (tolerance.digits == 1 ? "" : "s");
+  };
+  switch (tolerance.kind) {
+    case Tolerance::Kind::exact:
+      return "the fraction";
+    case Tolerance::Kind::decimals:
+      return count("decimal");
+    case Tolerance::Kind::significant:
+      return count("significant digit");
+    case Tolerance::Kind::absolute:
+    case Tolerance::Kind::relative:
+      break;
+  }
+  return "more digits";
+}
+
+// alpha[1][4] for alpha[1][3] moved by 1; nothing of a name without an index.
+std::optional<std::string> with_last_index_moved(std::string_view name, int by) {
+  const std::size_t open = name.rfind('[');
+  int index = 0;
+  if (open == std::string_view::npos || !name.ends_with(']') ||
+      std::from_chars(name.data() + open + 1, name.data() + name.size() - 1, index).ec != std::errc())
+    return std::nullopt;
+  return std::string(name.substr(0, open + 1)) + std::to_string(index + by) + "]";
 }
 
 std::string sentence(std::string_view text) {
@@ -102,7 +132,10 @@ Grade Grader::grade(Answers&& answers, std::string student) const {
       all_right = false;
     }
   }
-  if (!all_right) look_closer(answers, grade);
+  if (!all_right) {
+    look_closer(answers, grade);
+    settle_other_span(answers, grade);
+  }
   if (any_voided_) settle_voided(grade);
   for (const PartGrade& part : grade.parts) grade.points += part.points;
   return grade;
@@ -120,7 +153,12 @@ void Grader::look_closer(const Answers& answers, Grade& grade) const {
     const Part& part = exercise_.parts[i];
     PartGrade& made = grade.parts[i];
     if (answers.part[i] == nullptr) {
-      made.feedback = feedback(part, Verdict::missing, {});
+      const auto misnamed = std::ranges::find(answers.misnamed, i, &std::pair<std::size_t, std::string>::first);
+      if (misnamed != answers.misnamed.end())
+        settle(grade, i, Verdict::missing, 0,
+               "No answer under " + part.name + "; you wrote " + excerpt(misnamed->second) + ".", "letter-case");
+      else
+        made.feedback = feedback(part, Verdict::missing, {});
       continue;
     }
     const bool right = made.verdict == Verdict::correct;
@@ -165,11 +203,13 @@ void Grader::judge(const Open& open, Grade& grade) const {
   if (open.rounded) written.emplace(exercise_, plan_, Replayed::Rounding::ignored).run(open.as_typed);
   std::vector<char> left = open.is_open;
   settle_carried(open, meant, written ? &*written : nullptr, left, grade);
+  settle_rounded(open, meant, left, grade);
 
   Symptoms symptoms{&open.as_meant, &meant, written ? &*written : nullptr, &open.typed, {}, {}};
   for (std::size_t i = 0; i < count; ++i) {
-    const Verdict verdict = grade.parts[i].verdict;
-    symptoms.fine.push_back(verdict == Verdict::correct || verdict == Verdict::carried);
+    const PartGrade& made = grade.parts[i];
+    symptoms.fine.push_back(made.verdict == Verdict::correct || made.verdict == Verdict::carried ||
+                            made.note == "rounded");
     if (left[i] != 0) symptoms.open.push_back(i);
   }
   if (symptoms.open.empty()) return;
@@ -178,6 +218,7 @@ void Grader::judge(const Open& open, Grade& grade) const {
   grade.explanation = by_rule.explain();
   settle_explained(symptoms, by_rule, grade);
   settle_arithmetic(symptoms, grade);
+  settle_contradicted(symptoms, by_rule, grade);
 }
 
 // The right rule on their own values, as they meant them or as they wrote them down.
@@ -201,6 +242,23 @@ void Grader::settle_carried(const Open& open, const Replayed& meant, const Repla
              "trivial");
     else
       settle(grade, i, Verdict::carried, exercise_.carried * part.points, {}, {});
+  }
+}
+
+// The right rule, in fewer digits than are asked.
+void Grader::settle_rounded(const Open& open, const Replayed& meant, std::vector<char>& left, Grade& grade) const {
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (left[i] == 0) continue;
+    const Part& part = exercise_.parts[i];
+    const bool right = is_rounded(part, exercise_.run.trace.numbers(part.value), open.typed[i]);
+    if (!right && !(meant.operands_changed(part.value) && is_rounded(part, meant.expected(part.value), open.typed[i])))
+      continue;
+    left[i] = 0;
+    settle(grade, i, Verdict::wrong, 0,
+           (right ? "This is the right value, rounded: give "
+                  : "It follows from your earlier values, but is rounded: give ") +
+               digits_asked(part.tolerance) + ".",
+           "rounded");
   }
 }
 
@@ -257,8 +315,12 @@ void Grader::settle_arithmetic(const Symptoms& symptoms, Grade& grade) const {
     auto off = only_wrong_coordinate(part, exercise_.run.trace.numbers(part.value), typed, {});
     if (!off && symptoms.meant->operands_changed(part.value))
       off = only_wrong_coordinate(part, symptoms.meant->expected(part.value), typed, symptoms.meant->widening(part));
-    std::string hint;
-    if (off)
+    std::string hint = near_miss(part, exercise_.run.trace.numbers(part.value), typed);
+    if (hint.empty() && symptoms.meant->operands_changed(part.value))
+      hint = near_miss(part, symptoms.meant->expected(part.value), typed);
+    if (!hint.empty())
+      hint = "Near, but " + hint + ".";
+    else if (off)
       hint = "Only " + *off + " is off: check the arithmetic.";
     else if (is_only_one && others_follow && part.kind != ValueKind::integer && part.kind != ValueKind::list)
       hint = "All else is right or follows from it: check the arithmetic.";
@@ -269,6 +331,45 @@ void Grader::settle_arithmetic(const Symptoms& symptoms, Grade& grade) const {
   }
 }
 
+// What a misconception gives in one place while it is contradicted in others is not asserted.
+void Grader::settle_contradicted(const Symptoms& symptoms, const Explainer::Case& by_rule, Grade& grade) const {
+  for (std::size_t k = 0; k < symptoms.open.size(); ++k) {
+    const std::size_t i = symptoms.open[k];
+    const PartGrade& made = grade.parts[i];
+    if (made.verdict != Verdict::misconception || by_rule.acts_at(k) != nullptr) continue;
+    const auto& list = exercise_.run.algorithm->misconceptions;
+    const auto m = std::ranges::find(list, made.misconception, &Misconception::id);
+    if (m == list.end() || !by_rule.is_contradicted(static_cast<std::size_t>(m - list.begin()))) continue;
+    settle(grade, i, Verdict::wrong, made.points,
+           "Not the right value. One mistake would make it, but not your other values: " + std::string(m->title) + ".",
+           "unknown");
+  }
+}
+
+// Somebody who took the span k + d computes values of which the indices are shifted by d: those at the end that is not
+// asked are ignored, those at the other are missing.
+void Grader::settle_other_span(const Answers& answers, Grade& grade) const {
+  const auto k = exercise_.part("k");
+  if (!k || answers.ignored.empty() || grade.parts[*k].note != "wrong-span") return;
+  const auto typed = read_typed(exercise_.parts[*k], *answers.part[*k]);
+  const double shift = (typed.numbers[0] - exercise_.parts[*k].right[0]).to_double();
+  std::unordered_set<std::string> theirs;
+  for (const Part& part : exercise_.parts)
+    if (auto name = with_last_index_moved(part.name, static_cast<int>(shift))) theirs.insert(std::move(*name));
+  if (!std::ranges::all_of(answers.ignored, [&](const std::string* name) { return theirs.contains(*name); })) return;
+  const std::string span = "the span k = " + typed.numbers[0].to_string();
+  const Misconception* const wrong_span =
+      &*std::ranges::find(exercise_.run.algorithm->misconceptions, "wrong-span", &Misconception::id);
+  settle(grade, *k, grade.parts[*k].verdict, grade.parts[*k].points,
+         advice_of(*wrong_span) + " You computed the triangle of " + span + ".", "wrong-span");
+  for (std::size_t i = 0; i < grade.parts.size(); ++i) {
+    const Part& part = exercise_.parts[i];
+    if (grade.parts[i].verdict == Verdict::missing && part.name.ends_with(']') && !theirs.contains(part.name))
+      grade.parts[i].feedback =
+          feedback(part, Verdict::missing, "No answer: you computed the triangle of " + span + ", without it.");
+  }
+}
+
 void Grader::settle_voided(Grade& grade) const {
   for (std::size_t i = 0; i < grade.parts.size(); ++i) {
     const Part& part = exercise_.parts[i];
@@ -276,8 +377,8 @@ void Grader::settle_voided(Grade& grade) const {
     const bool credit = part.voided == Voided::credit;
     if (credit) grade.parts[i].points = part.points;
     if (exercise_.feedback == Feedback::none) continue;
-    grade.parts[i].feedback =
-        credit ? "This part was voided: everybody gets its points." : "This part was voided: it counts for nobody.";
+    grade.parts[i].feedback = credit ? "This part was voided: everybody whose answers could be read gets its points."
+                                     : "This part was voided: it counts for nobody.";
   }
 }
 
@@ -298,7 +399,7 @@ std::string Grader::feedback(const Part& part, Verdict verdict, std::string_view
       text = what.empty() ? "Not the right value." : sentence(what);
       break;
     case Verdict::missing:
-      text = "No answer.";
+      text = what.empty() ? "No answer." : std::string(what);
       break;
     case Verdict::invalid:
       text = "The answer cannot be read: it " + std::string(what) + ".";

@@ -4,7 +4,9 @@
 //
 // Points are a matter of each value for itself: right, carried, one misconception on right or own values, a slip. The
 // explanation of the whole answer may then give a wrong value another name (see explain.hpp), so that one name stands
-// where one misconception was at work; that never raises its points: it earns the lesser of both shares.
+// where one misconception was at work; that never raises its points: it earns the lesser of both shares. A
+// misconception that fits a value while the rest of the answer speaks against it is not asserted: the value is wrong
+// for no known reason, with the points it has for itself.
 //
 // Of a voided part everybody gets the points ("credit"), whatever their answer is or lacks, or nobody ("drop": it is
 // worth none). A submission that cannot be read at all is none, and earns nothing.
@@ -41,7 +43,8 @@ struct PartGrade {
   std::string feedback;              // as much as the exercise allows
   std::string_view misconception{};  // its id, if that is the verdict
   // What happened, in one stable word that reports count: a misconception's id; sign, all-signs, coordinates, digits,
-  // arithmetic (one number off where the rule was right), trivial, unknown; empty where the verdict says it all.
+  // rounded (the right or carried value in fewer digits than are asked), arithmetic (one number off where the rule was
+  // right), trivial, letter-case (missing under its own name), unknown; empty where the verdict says it all.
   std::string_view note{};
 };
 
@@ -74,9 +77,12 @@ class Grader {
   void judge(const Open&, Grade&) const;
   void settle_carried(const Open&, const Replayed& meant, const Replayed* written, std::vector<char>& left,
                       Grade&) const;
+  void settle_rounded(const Open&, const Replayed& meant, std::vector<char>& left, Grade&) const;
   void settle_slips(const Symptoms&, Explainer::Case&, Grade&) const;
   void settle_explained(const Symptoms&, Explainer::Case&, Grade&) const;
   void settle_arithmetic(const Symptoms&, Grade&) const;
+  void settle_contradicted(const Symptoms&, const Explainer::Case&, Grade&) const;
+  void settle_other_span(const Answers&, Grade&) const;
   void settle(Grade&, std::size_t part, Verdict, Exact points, std::string_view what, std::string_view note) const;
   void settle_voided(Grade&) const;
   std::string feedback(const Part&, Verdict, std::string_view what) const;

@@ -74,12 +74,6 @@ bool is_json(const fs::path& path) {
   return extension == ".json";
 }
 
-// What systems leave in folders by themselves: .DS_Store, ._answers.json, __MACOSX.
-bool is_litter(const fs::path& path) {
-  const std::string name = path.filename().string();
-  return name.starts_with('.') || name == "__MACOSX";
-}
-
 void read_folder(const fs::path& folder, HandedIn& out) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -94,8 +88,10 @@ void read_folder(const fs::path& folder, HandedIn& out) {
     }
     std::error_code ignored;
     const bool is_folder = each->symlink_status(ignored).type() == fs::file_type::directory;
-    if (is_litter(each->path()) || each.depth() + 1 >= most_levels) each.disable_recursion_pending();
-    if (!is_litter(each->path()) && !is_folder) files.push_back(each->path());
+    const std::string name = each->path().filename().string();
+    const bool passed_over = is_litter(name), hidden = name.starts_with('.');
+    if (passed_over || hidden || each.depth() + 1 >= most_levels) each.disable_recursion_pending();
+    if (!passed_over && (hidden || !is_folder)) files.push_back(each->path());
   }
   if (error)
     out.refused.push_back(
@@ -103,7 +99,9 @@ void read_folder(const fs::path& folder, HandedIn& out) {
   std::ranges::sort(files);
   for (const fs::path& file : files) {
     std::string source = file.lexically_relative(folder).string();
-    if (is_json(file))
+    if (file.filename().string().starts_with('.'))
+      out.refused.push_back({Incident::Kind::refused, {}, std::move(source), "its name hides it, and it was not read"});
+    else if (is_json(file))
       out.submissions.push_back(read_one(file.string(), std::move(source), false));
     else
       out.refused.push_back({Incident::Kind::refused, {}, std::move(source), "is no .json file and was not read"});

@@ -15,9 +15,9 @@ struct HandedIn {
   std::vector<Incident> refused;  // what in a folder is no answers file
 };
 
-// Of a folder every *.json in it or below, by name; links are not followed, and other files are refused. A file named
-// itself is read whatever its name, through links. "-" is standard input. Of each no more than its limit is read, so
-// what is longer is found to be too large.
+// Of a folder every *.json in it or below, by name; links are not followed; other files and hidden ones are refused,
+// but for what systems leave behind (is_litter). A file named itself is read whatever its name, through links. "-" is
+// standard input. Of each no more than its limit is read, so what is longer is found to be too large.
 HandedIn read_handed_in(const std::vector<std::string>& paths);
 
 // What Gradescope says of a submission in submission_metadata.json ("Submission Metadata" in its documentation).

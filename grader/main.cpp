@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <vector>
@@ -14,6 +15,23 @@ namespace {
 
 using namespace blossom;
 
+// What was typed that means nothing, in the order it was typed in (CLI11's own message has it backwards), and the
+// option that was probably meant.
+std::string unexpected(const CLI::App& app) {
+  std::vector<std::string> options;
+  for (const CLI::App* command : app.get_subcommands())
+    for (const CLI::Option* option : command->get_options())
+      for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  std::string typed, meant;
+  for (const std::string& argument : app.remaining(true)) {
+    typed += (typed.empty() ? "" : " ") + argument;
+    const auto near =
+        argument.starts_with("--") ? did_you_mean(argument.substr(0, argument.find('=')), options) : std::nullopt;
+    if (near && meant.empty()) meant = "; did you mean " + *near + "?";
+  }
+  return "not expected: " + typed + meant;
+}
+
 int run(int argc, char** argv) {
   CLI::App app(
       "blossom-grade grades answers to exercises on the algorithms of curves and surfaces.\n"
@@ -23,7 +41,8 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", BLOSSOM_VERSION);
   app.failure_message([](const CLI::App* root, const CLI::Error& error) {
     const auto given = root->get_subcommands();
-    return "blossom-grade: " + printable(error.what()) + "\nTry `blossom-grade " +
+    const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+    return "blossom-grade: " + printable(extra ? unexpected(*root) : error.what()) + "\nTry `blossom-grade " +
            (given.empty() ? "" : given[0]->get_name() + " ") + "--help`.\n";
   });
   int status = done;
@@ -36,10 +55,19 @@ int run(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   const bool names_command =
       !arguments.empty() && std::ranges::any_of(ordered, [&](const auto* c) { return c->name == arguments[0]; });
-  const bool asks_about_all = arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h" ||
-                              arguments[0] == "--version";
+  const bool asks_about_all =
+      arguments.empty() || arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "--version";
+  if (!names_command && !asks_about_all && !std::filesystem::exists(arguments[0])) {
+    std::vector<std::string> names;
+    for (const GradeCommand* command : ordered) names.emplace_back(command->name);
+    if (const auto near = did_you_mean(arguments[0], names)) {
+      std::cerr << "blossom-grade: there is no command or file " << excerpt(arguments[0]) << "; did you mean \""
+                << *near << "\"?\nTry `blossom-grade --help`.\n";
+      return wrong_usage;
+    }
+  }
   if (!names_command && !asks_about_all) arguments.insert(arguments.begin(), "grade");
-  std::ranges::reverse(arguments);  // as CLI11 takes them
+  std::ranges::reverse(arguments);  // parse() takes the first from the end
   try {
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {

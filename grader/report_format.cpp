@@ -2,6 +2,7 @@
 
 #include "base/utf8.hpp"
 #include "grader/csv.hpp"
+#include "grader/page/student_run.hpp"
 #include "grader/report/facts.hpp"
 
 namespace blossom {
@@ -26,28 +27,61 @@ bool is_told(const Incident& incident, const ExerciseResult& of) {
          incident.source == of.source;
 }
 
-std::string sentence_of(const Incident& incident) {
-  std::string text(incident_name(incident.kind));
-  text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  if (!incident.source.empty()) text += " (" + printable(incident.source) + ")";
-  return text + ": " + printable(incident.text) + ".";
+// For students, whom the kinds' own names tell nothing.
+std::string_view words_for(Incident::Kind kind) {
+  switch (kind) {
+    case Incident::Kind::late:
+      return "Late";
+    case Incident::Kind::missing:
+      return "Missing";
+    case Incident::Kind::duplicate:
+      return "Handed in more than once";
+    case Incident::Kind::unreadable:
+      return "Cannot be read";
+    case Incident::Kind::misplaced:
+      return "Not part of this assignment";
+    case Incident::Kind::foreign_id:
+      return "Another name in the file";
+    case Incident::Kind::unlisted:
+      return "Not on the class list";
+    case Incident::Kind::failed:
+      return "Could not be graded";
+    case Incident::Kind::refused:
+      return "Not looked at";
+  }
+  return {};
 }
 
-void add_grade(const Grade& grade, const Exact& max_points, ExerciseFacts& facts) {
+std::string sentence_of(const Incident& incident) {
+  std::string text(words_for(incident.kind));
+  if (!incident.source.empty()) text += " (" + printable(incident.source) + ")";
+  return as_sentence(text + ": " + printable(incident.text));
+}
+
+void add_grade(const ExerciseResult& of, ExerciseFacts& facts) {
+  const Grade& grade = *of.grade;
   const Exercise& exercise = *grade.exercise;
-  const Exact scale = exercise.max_points == Exact(0) ? Exact(0) : max_points / exercise.max_points;
+  const Exact scale = exercise.max_points == Exact(0) ? Exact(0) : of.max_points / exercise.max_points;
   facts.grade = &grade;
   facts.before_late = grade.points * scale;
-  if (!grade.reason.empty()) facts.notes.push_back("Invalid: " + printable(grade.reason) + ".");
-  for (const std::string& note : grade.notes) facts.notes.push_back("Note: " + printable(note) + ".");
+  if (!grade.reason.empty()) facts.notes.push_back(as_sentence("Invalid: " + printable(grade.reason)));
+  for (const std::string& note : grade.notes) facts.notes.push_back(as_sentence("Note: " + printable(note)));
   if (!grade.reason.empty() || exercise.feedback == Feedback::none) return;
+  const Json* answers = of.answers ? of.answers->root().find("answers") : nullptr;
   const bool shows_text = exercise.feedback != Feedback::verdict;
   for (std::size_t i = 0; i < grade.parts.size(); ++i) {
     const Part& part = exercise.parts[i];
     const PartGrade& made = grade.parts[i];
-    facts.parts.push_back({part.name, verdict_name(made.verdict), is_passed(part, made), made.points * scale,
+    facts.parts.push_back({part.name,
+                           verdict_name(made.verdict),
+                           is_passed(part, made),
+                           made.points * scale,
                            part.points * scale,
-                           shows_text && made.verdict != Verdict::correct ? printable(made.feedback) : std::string()});
+                           shows_text && made.verdict != Verdict::correct ? printable(made.feedback) : std::string(),
+                           {}});
+    if (made.verdict == Verdict::correct) continue;
+    if (const Json* typed = answers != nullptr ? answers->find(part.name) : nullptr)
+      facts.parts.back().typed = printable(typed_text(*typed));
   }
 }
 
@@ -70,7 +104,7 @@ ResultFacts facts_of(const StudentResult& result) {
     facts.points = of.points;
     facts.max_points = of.max_points;
     if (of.grade) {
-      add_grade(*of.grade, of.max_points, facts);
+      add_grade(of, facts);
       all.readable = all.readable || of.grade->reason.empty();
     }
     for (std::size_t i = 0; i < result.incidents.size(); ++i) {

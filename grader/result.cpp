@@ -11,16 +11,10 @@ namespace {
 constexpr std::string_view incident_names[] = {"late",       "missing",  "duplicate", "unreadable", "misplaced",
                                                "foreign-id", "unlisted", "failed",    "refused"};
 
-std::string lower(std::string text) {
-  for (char& c : text)
-    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 bool is_known_by(const Student& student, const std::string& name) {
-  const std::string wanted = lower(name);
+  const std::string wanted = folded(name);
   for (const std::string* known : {&student.id, &student.login, &student.sis_id, &student.lms_id, &student.email})
-    if (!known->empty() && lower(*known) == wanted) return true;
+    if (!known->empty() && folded(*known) == wanted) return true;
   return false;
 }
 
@@ -32,10 +26,44 @@ struct Candidate {
   std::string unreadable;          // why it is no answers file; empty if it is one
 };
 
+// Taken from the front of a path: the digits of a number without leading zeros, or one other character.
+std::string_view next_piece(std::string_view& path) {
+  const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+  std::size_t end = 1;
+  if (is_digit(path.front())) {
+    while (end < path.size() && is_digit(path[end])) ++end;
+    const std::string_view number = path.substr(0, end);
+    path.remove_prefix(end);
+    return number.substr(std::min(number.find_first_not_of('0'), number.size() - 1));
+  }
+  const std::string_view character = path.substr(0, end);
+  path.remove_prefix(end);
+  return character;
+}
+
+// As people number files: answers.json, answers-2.json, answers-10.json. What a folder holds stands together.
+bool path_before(std::string_view a, std::string_view b) {
+  const auto stem = [](std::string_view path) {
+    const std::size_t point = path.find_last_of("./");
+    return point != std::string_view::npos && path[point] == '.' ? path.substr(0, point) : path;
+  };
+  const auto rank = [](std::string_view piece) { return piece == "/" ? 0 : 1 + static_cast<unsigned char>(piece[0]); };
+  std::string_view rest_a = stem(a), rest_b = stem(b);
+  while (!rest_a.empty() && !rest_b.empty()) {
+    const std::string_view one = next_piece(rest_a), other = next_piece(rest_b);
+    if (one == other) continue;
+    const bool numbers = '0' <= one[0] && one[0] <= '9' && '0' <= other[0] && other[0] <= '9';
+    if (!numbers) return rank(one) < rank(other);
+    return one.size() != other.size() ? one.size() < other.size() : one < other;
+  }
+  if (rest_a.empty() != rest_b.empty()) return rest_a.empty();
+  return a < b;
+}
+
 // Handed in earlier, or at the same time and of a source that comes first. What has no time comes first.
 bool earlier(const Submission& a, const Submission& b) {
   if (a.submitted != b.submitted) return a.submitted < b.submitted;
-  return a.source < b.source;
+  return path_before(a.source, b.source);
 }
 
 std::string first_of(const Diagnostics& diagnostics) {
@@ -48,6 +76,14 @@ std::string first_of(const Diagnostics& diagnostics) {
 const std::string* text_at(const Json& root, std::string_view key) {
   const Json* found = root.find(key);
   return found != nullptr && found->kind == Json::Kind::string ? &found->text : nullptr;
+}
+
+// A name that Windows takes for a device, whatever ending it has.
+bool is_device(std::string_view name) {
+  const std::string base = folded(name.substr(0, name.find('.')));
+  constexpr std::string_view alone[] = {"con", "prn", "aux", "nul"};
+  return std::ranges::find(alone, base) != std::end(alone) ||
+         (base.size() == 4 && (base.starts_with("com") || base.starts_with("lpt")) && '0' <= base[3] && base[3] <= '9');
 }
 
 class StudentGrading {
@@ -93,6 +129,9 @@ class StudentGrading {
     } else {
       incident(Incident::Kind::missing, item, {},
                any_lost_ ? "nothing was handed in that can be read" : "nothing was handed in");
+      // The page has the student's own numbers, handed in or not.
+      if (examiner_->varies(item))
+        if (auto grader = examiner_->grader(item, result.student.id)) counted.grader = std::move(*grader);
     }
     for (const Candidate& candidate : candidates)
       if (&candidate != counting && candidate.unreadable.empty())
@@ -132,7 +171,7 @@ class StudentGrading {
     const std::string* id = text_at(root, "exercise");
     const auto item = id != nullptr ? assignment_->item(*id) : std::nullopt;
     if (id != nullptr && !item) {
-      incident(Incident::Kind::misplaced, {}, submission.source, excerpt(*id) + " is no exercise of this assignment");
+      incident(Incident::Kind::misplaced, {}, submission.source, no_exercise_of(*assignment_, *id));
       return;
     }
     if (const std::string* author = text_at(root, "student");
@@ -187,7 +226,7 @@ class StudentGrading {
             : assignment_->attempts == Attempts::first ? "the first one does"
                                                        : "the best one does";
     if (!one.source.empty()) text += ", " + printable(one.source);
-    if (one.submitted) text += (one.source.empty() ? ", of " : " of ") + format_time(*one.submitted);
+    if (one.submitted) text += (one.source.empty() ? ", of " : " of ") + time_in_words(*one.submitted);
     return text;
   }
 
@@ -210,6 +249,8 @@ class StudentGrading {
 };
 
 }  // namespace
+
+std::string as_sentence(std::string text) { return text.ends_with('?') ? text : std::move(text) + "."; }
 
 std::string_view incident_name(Incident::Kind kind) { return incident_names[static_cast<std::size_t>(kind)]; }
 
@@ -239,6 +280,7 @@ std::string file_name_of(std::string_view id) {
     name += digits[byte & 15];
   }
   if (name.empty()) return "%";
+  if (is_device(name)) name.replace(0, 1, {'%', digits[name[0] >> 4], digits[name[0] & 15]});
   if (name.size() > longest) return name.substr(0, kept) + "~" + sha256_hex(id).substr(0, 32);
   return name;
 }

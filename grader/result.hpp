@@ -37,11 +37,13 @@ struct Incident {
   std::string source;    // likewise
   std::string text;      // a sentence
 };
+// The text with a full stop behind it, unless it ends in a question.
+std::string as_sentence(std::string text);
 std::string_view incident_name(Incident::Kind);  // "late", "foreign-id", ...
 
 struct ExerciseResult {
-  std::size_t item = 0;                         // of the assignment
-  std::shared_ptr<const Grader> grader;         // keeps what the grade points to; may be null where it is missing
+  std::size_t item = 0;                  // of the assignment
+  std::shared_ptr<const Grader> grader;  // keeps what the grade points to; null where it is missing and nothing varies
   std::shared_ptr<const JsonDocument> answers;  // what was handed in; null: nothing, or nothing that can be read
   std::optional<Grade> grade;                   // nothing: missing
   std::string source;
@@ -73,7 +75,8 @@ enum class Audience : std::uint8_t { student, instructor };
 void write_json(const StudentResult&, Audience, std::string& out);  // one line, without its end
 
 // An ID as a file name: letters, digits, _ - and @, and points but at the start stay, other bytes become %XX.
-// A long one is cut, and ends in ~ and a digest of the ID.
+// A long one is cut, and ends in ~ and a digest of the ID. Of a name that Windows takes for a device (con, aux.1) the
+// first letter is such a byte, too.
 std::string file_name_of(std::string_view id);
 
 }  // namespace blossom

@@ -102,7 +102,9 @@ void write_parts(const Grade& grade, const Json* answers, const Shown& shown, st
     const Part& part = exercise.parts[i];
     out += i > 0 ? ",{" : "{";
     write_member("value", part.name, out);
-    write_member("verdict", verdict_name(made.verdict), out);
+    // Which kind of wrong it is would be a reason.
+    const bool is_wrong = made.verdict == Verdict::misconception || made.verdict == Verdict::slip;
+    write_member("verdict", verdict_name(is_wrong && !shown.reasons ? Verdict::wrong : made.verdict), out);
     if (shown.reasons && !made.misconception.empty()) write_member("misconception", made.misconception, out);
     write_member("points", made.points, out);
     write_member("max_points", part.points, out);

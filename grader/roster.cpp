@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -139,7 +140,8 @@ Student student_of(const Columns& columns, const std::vector<std::string>& cells
   student.lms_id = columns.canvas ? student.id : cell(lms_id);
   student.email = cell(email);
   student.section = cell(section);
-  if (columns.has(identifier) && student.lms_id.empty()) student.lms_id = participant(cell(identifier));
+  student.is_participant = columns.has(identifier) && student.lms_id.empty();
+  if (student.is_participant) student.lms_id = participant(cell(identifier));
   if (!columns.has(id)) student.id = columns.has(login) ? student.login : student.lms_id;
   const std::string when = cell(due);
   student.due = parse_time(when);
@@ -206,14 +208,14 @@ struct Roster::Table {
   }
 
   void add_names(std::size_t row, const Student& student) {
-    ids.push_back(hash(lower(student.id)) | row);
-    std::array<std::string, 5> known{lower(student.id)};
+    std::array<std::string, 5> known{folded(student.id)};
+    ids.push_back(hash(known[0]) | row);
     std::size_t count = 1;
     for (const std::string_view text : other_names(student)) {
-      std::string folded = lower(text);
-      if (text.empty() || std::find(known.begin(), known.begin() + count, folded) != known.begin() + count) continue;
-      others.push_back(hash(folded) | row);
-      known[count++] = std::move(folded);
+      std::string name = folded(text);
+      if (text.empty() || std::find(known.begin(), known.begin() + count, name) != known.begin() + count) continue;
+      others.push_back(hash(name) | row);
+      known[count++] = std::move(name);
     }
   }
 
@@ -259,13 +261,13 @@ void find_twins(const Table& table, const std::vector<int>& lines, Diagnostics& 
     for (std::size_t i = begin; end - begin > 1 && i < end && mistakes.size() < most_diagnostics; ++i) {
       const auto row = static_cast<std::size_t>(table.ids[i] & 0xFFFFFFFF);
       const std::string id_text = table.student(row).id;
-      const auto twin = std::ranges::find(first, lower(id_text), &std::pair<std::string, std::size_t>::first);
+      const auto twin = std::ranges::find(first, folded(id_text), &std::pair<std::string, std::size_t>::first);
       if (twin != first.end())
         mistakes.push_back({table.file, lines[row], 0, "",
                             "the id " + excerpt(id_text) + " stands in line " + std::to_string(lines[twin->second]) +
                                 " already, ignoring case; each student has an id of their own"});
       else if (first.size() < most_namesakes)
-        first.emplace_back(lower(id_text), row);
+        first.emplace_back(folded(id_text), row);
     }
     begin = end;
   }
@@ -279,12 +281,19 @@ void check(const Student& student, const std::string& due_text, const Columns& c
   if (student.id.empty()) mistake("no id" + (student.name.empty() ? "" : " for " + excerpt(student.name)));
   if (student.id.size() > most_id_bytes)
     mistake("the id " + excerpt(student.id) + " is too long; at most " + std::to_string(most_id_bytes) + " bytes");
-  if (!due_text.empty() && !student.due)
-    mistake("due must be a time with its offset from UTC such as 2026-10-01T23:59:00+02:00, not " + excerpt(due_text));
+  if (!due_text.empty() && !student.due) mistake("due " + time_problem(due_text));
   const auto extra = static_cast<std::ptrdiff_t>(std::min(columns.count, cells.size()));
   if (std::any_of(cells.begin() + extra, cells.end(), [](const std::string& cell) { return !clean(cell).empty(); }))
     mistake(std::to_string(cells.size()) + " cells where the header has " + std::to_string(columns.count) +
             "; a cell that has a comma in it stands in quotation marks");
+}
+
+// Whether the first that is no blank opens an object or an array: no title of a column begins so.
+bool is_json(std::istream& in) {
+  const int first = (in >> std::ws).peek();
+  in.clear();
+  in.seekg(0);
+  return first == '{' || first == '[';
 }
 
 }  // namespace
@@ -299,6 +308,8 @@ Checked<Roster> Roster::load(const std::filesystem::path& path) {
   if (!S_ISREG(table->status.st_mode)) return problem("must be a file");
 
   std::ifstream in(path, std::ios::binary);
+  if (is_json(in))
+    return problem("is JSON; a roster is CSV: a row of titles such as id,name and a row for each student");
   CsvReader reader(table->file, in, limits);
   std::vector<std::string> cells;
   Diagnostics mistakes;
@@ -336,25 +347,50 @@ std::size_t Roster::size() const { return table_->rows.size(); }
 
 Student Roster::student(std::size_t index) const { return table_->student(index); }
 
-std::optional<std::size_t> Roster::find(std::string_view key) const {
-  if (key.empty()) return std::nullopt;
-  const std::string folded = lower(key);
-  const std::uint64_t h = hash(folded);
+std::optional<std::size_t> Roster::find(std::string_view key) const { return match({std::string(key)}).index; }
+
+Roster::Match Roster::match(const StudentKey& key) const {
+  if (key.text.empty()) return {};
+  const bool by_number = key.kind == StudentKey::Kind::lms_number;
+  const bool numbers_only =
+      by_number && (table_->columns.has(lms_id) || table_->columns.canvas || table_->columns.has(identifier));
+  const std::string name = normal_form(key.text), loosely = folded(name);
+  const std::uint64_t h = hash(loosely);
   std::vector<std::size_t> exactly, nearly;
+  const auto compare = [&](std::size_t row, std::span<const std::string_view> texts) {
+    const auto has = [&](const auto& wanted, auto&& form) {
+      return std::ranges::any_of(texts, [&](std::string_view text) { return form(text) == wanted; });
+    };
+    if (has(name, normal_form)) exactly.push_back(row);
+    if (has(loosely, folded)) nearly.push_back(row);
+  };
   for (const std::size_t row : Table::having(table_->ids, h)) {
-    const std::string text = student(row).id;
-    if (text == key) return row;
-    if (lower(text) == folded) nearly.push_back(row);
+    const Student candidate = student(row);
+    const std::string_view text = numbers_only ? candidate.lms_id : candidate.id;
+    if (!by_number && normal_form(text) == name) return {row};
+    compare(row, std::array{text});
   }
   for (const std::size_t row : Table::having(table_->others, h)) {
     const Student candidate = student(row);
-    const auto names = other_names(candidate);
-    if (std::ranges::find(names, key) != names.end()) exactly.push_back(row);
-    if (std::ranges::any_of(names, [&](std::string_view text) { return lower(text) == folded; })) nearly.push_back(row);
+    if (numbers_only)
+      compare(row, std::array<std::string_view, 1>{candidate.lms_id});
+    else
+      compare(row, other_names(candidate));
   }
-  if (exactly.size() == 1) return exactly.front();
-  if (exactly.empty() && nearly.size() == 1) return nearly.front();
-  return std::nullopt;
+  if (exactly.size() == 1) return {exactly.front()};
+  if (exactly.empty() && nearly.size() == 1) return {nearly.front()};
+  return {std::nullopt, !nearly.empty()};
+}
+
+Roster::Match Roster::match(std::span<const StudentKey> keys) const {
+  Match all;
+  for (const StudentKey& key : keys) {
+    const Match one = match(key);
+    all.ambiguous = all.ambiguous || one.ambiguous || (all.index && one.index && *all.index != *one.index);
+    if (!all.index) all.index = one.index;
+  }
+  if (all.ambiguous) all.index.reset();
+  return all;
 }
 
 }  // namespace blossom

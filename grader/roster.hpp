@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "grader/student.hpp"
@@ -30,10 +31,20 @@ class Roster {
   Student student(std::size_t index) const;
   // Who has this id, exactly; or this login, SIS ID, LMS ID or e-mail address, exactly, if that is only one; or any of
   // them ignoring the case of A to Z, if that is only one. What more than 32 have (a placeholder such as "none") finds
-  // nobody.
+  // nobody. Names that Unicode holds canonically equivalent are the same.
   std::optional<std::size_t> find(std::string_view key) const;
 
+  struct Match {
+    std::optional<std::size_t> index;
+    bool ambiguous = false;  // nobody, for it may be one or the other
+  };
+  // Whose all these keys may be. An LMS's number is looked for among such numbers alone, if the roster has them: a
+  // student number may be the same by chance. Where two keys, or one number, are two students', it is nobody.
+  Match match(std::span<const StudentKey>) const;
+
  private:
+  Match match(const StudentKey&) const;
+
   struct Table;
   std::shared_ptr<const Table> table_;
 };

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "grader/time.hpp"
 
@@ -14,5 +15,8 @@ struct Submission {
   std::string text;               // its bytes
   std::string problem;            // not empty: it was not read (too large, a symbolic link, ...), and why
 };
+
+// What systems leave in folders by themselves: .DS_Store, ._answers.json, __MACOSX, .git, Thumbs.db, desktop.ini.
+bool is_litter(std::string_view file_name);
 
 }  // namespace blossom

@@ -1,5 +1,7 @@
 #include "grader/time.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <cstdio>
 
 namespace blossom {
@@ -96,15 +98,37 @@ std::string format_time(Time time) {
   return text;
 }
 
+std::string time_problem(std::string_view text) {
+  constexpr std::size_t day_at = 8;
+  constexpr std::string_view months[] = {"January", "February", "March",     "April",   "May",      "June",
+                                         "July",    "August",   "September", "October", "November", "December"};
+  std::string first_day(text);
+  if (first_day.size() > day_at + 2) first_day.replace(day_at, 2, "01");
+  const auto month = parse_time(first_day);
+  if (!month || !std::ranges::all_of(text.substr(day_at, 2), [](char c) { return '0' <= c && c <= '9'; }))
+    return "must be a time with its offset from UTC such as \"2026-10-01T23:59:00+02:00\", not " + excerpt(text);
+  int y = 0;
+  unsigned m = 0;
+  std::from_chars(text.data(), text.data() + 4, y);
+  std::from_chars(text.data() + 5, text.data() + 7, m);
+  const auto last_day = (year{y} / std::chrono::month{m} / std::chrono::last).day();
+  return "must be a day that there is, not " + excerpt(text) + ": " + std::string(months[m - 1]) + " " +
+         std::to_string(y) + " has " + std::to_string(static_cast<unsigned>(last_day)) + " days";
+}
+
+std::string time_in_words(Time time) {
+  std::string text = format_time(time);
+  text[10] = ' ';
+  return text.substr(0, text.ends_with(":00Z") ? 16 : 19) + " UTC";
+}
+
 std::optional<Time> read_time(const Cursor& cursor) {
   if (!cursor.is(Json::Kind::string)) {
     cursor.string();
     return std::nullopt;
   }
   const auto time = parse_time(cursor.json().text);
-  if (!time)
-    cursor.error("must be a time with its offset from UTC such as \"2026-10-01T23:59:00+02:00\", not " +
-                 excerpt(cursor.json().text));
+  if (!time) cursor.error(time_problem(cursor.json().text));
   return time;
 }
 

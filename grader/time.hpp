@@ -15,8 +15,12 @@ using Time = std::chrono::sys_seconds;
 // "2026-10-01T23:59:00+02:00", "2026-10-01T21:59:00Z"; fractions of a second are dropped. Years 1970 to 9999. Nothing
 // if it is no such text, or no such day.
 std::optional<Time> parse_time(std::string_view);
+// Why a text is no time, with what would be right: "must be ..., not ...".
+std::string time_problem(std::string_view);
 // In UTC: "2026-10-01T21:59:00Z".
 std::string format_time(Time);
+// The same for people: "2026-10-01 21:59 UTC", with seconds where there are any.
+std::string time_in_words(Time);
 // A string with such a time, or a diagnostic.
 std::optional<Time> read_time(const Cursor&);
 

@@ -210,12 +210,12 @@ std::string answers(const Exercise& exercise, bool solutions) {
            how_exact(parts[end]) == exact && parts[end].points == parts[first].points)
       ++end;
     out += parts[first].kind == ValueKind::list ? "<div class=\"list\">" : "<div>";
-    out += "<table class=\"answers\"><caption>";
+    out += "<p class=\"caption\">";
     if (!meaning.empty()) out += with_names(meaning) + "<br>";
     const std::string points =
         number_text(parts[first].points) + (parts[first].points == Exact(1) ? " point" : " points");
     out += "<span class=\"quiet\">" + html_escape(exact + "; " + points + (end - first > 1 ? " each" : "")) +
-           "</span></caption><thead><tr><th scope=\"col\">name</th>";
+           "</span></p><table class=\"answers\"><thead><tr><th scope=\"col\">name</th>";
     for (const auto& head : heads) out += "<th scope=\"col\">" + html_escape(head) + "</th>";
     out += "</tr></thead><tbody>\n";
     for (; first < end; ++first) {
@@ -236,6 +236,33 @@ std::string answers(const Exercise& exercise, bool solutions) {
   return out + "</div>\n";
 }
 
+// "section 1", or what the course calls it if that is more than a number.
+std::string section_text(const std::string& section) {
+  const bool number = std::ranges::all_of(section, [](char c) { return '0' <= c && c <= '9'; });
+  return (number ? "section " : "") + html_escape(section);
+}
+
+// How a part's answer looks in a file.
+std::string example_of(const Part& part) {
+  if (part.kind == ValueKind::integer) return "3";
+  if (part.is_single()) return "\"2/5\"";
+  if (part.kind == ValueKind::list) return "[0, \"1/2\", 1]";
+  std::string text = "[1, \"2/5\"";
+  for (std::size_t i = 2; i < part.size(); ++i) text += i == 2 ? ", 0" : ", 1";
+  return text + "]";
+}
+
+std::string room_and_way(const Exercise& exercise) {
+  const Part& first = exercise.parts.front();
+  const std::string file = "{\"schema\": \"blossom.answers/1\", \"exercise\": " + json_quote(exercise.id) +
+                           ", \"answers\": {" + json_quote(first.name) + ": " + example_of(first) +
+                           (exercise.parts.size() > 1 ? ", ..." : "") + "}}";
+  return "<h2>Room to compute</h2>\n<div class=\"room\"></div>\n<p class=\"quiet\">To be handed in as a text file, "
+         "whose "
+         "name ends in .json: <code class=\"file\">" +
+         html_escape(file) + "</code></p>\n";
+}
+
 }  // namespace
 
 std::string sheet_head(std::string_view title) { return page_head(title, assets::sheet_css); }
@@ -243,13 +270,14 @@ std::string sheet_head(std::string_view title) { return page_head(title, assets:
 std::string sheet_page(const Exercise& variant, const Student& student, bool solutions) {
   std::string out = "<section class=\"sheet\">\n<header><span class=\"name\">" +
                     html_escape(student.name.empty() ? student.id : student.name) + "</span><span>";
-  if (!student.section.empty()) out += html_escape(student.section) + " · ";
+  if (!student.section.empty()) out += section_text(student.section) + " · ";
   out += "ID " + html_escape(student.id) + "</span></header>\n";
   out += element("h1", (solutions ? "Solutions: " : "") + variant.title);
   out += "\n<p>" + with_names(variant.prompt) + "</p>\n";
   out += "<h2>Given</h2>\n<div class=\"given\">" + given(variant.run) + "</div>\n";
   out += "<h2>" + std::string(solutions ? "Right answers" : "Your answers") + "</h2>\n";
   out += answers(variant, solutions);
+  if (!solutions) out += room_and_way(variant);
   out += "<p class=\"quiet\">Exercise <code>" + html_escape(variant.id) + "</code>, " +
          number_text(variant.max_points) +
          (solutions ? " points.</p>" : " points. The numbers are yours alone: nobody else's answers fit them.</p>") +

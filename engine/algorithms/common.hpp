@@ -84,11 +84,33 @@ inline Misconception unweighted_points() {
       }};
 }
 
+// The weight counts, but the given points' coordinates are not multiplied by it: (x, y, w) for (wx, wy, w).
+inline Misconception unweighted_coordinates() {
+  return {"unweighted-coordinates", "the coordinates of the control points are not multiplied by their weights",
+          "A control point (x, y) of weight w enters the computation as (wx, wy, w), not as (x, y, w).",
+          [](const Site& site) -> std::vector<Numbers<Exact>> {
+            if (!site.trace().rational || !is_blend(site)) return {};
+            bool any_given = false;
+            const auto entered = [&](std::size_t operand) {
+              const auto A = site.operand(operand);
+              Numbers<Exact> point(A.begin(), A.end());
+              if (!site.trace().is_input(site.trace().operands(site.value())[operand]) || A[3] == Exact(0))
+                return point;
+              any_given = true;
+              for (std::size_t i = 0; i < 3; ++i) point[i] /= A[3];
+              return point;
+            };
+            const auto A = entered(1), B = entered(2);
+            if (!any_given) return {};
+            return {blend(site.operand(0), A, B)};
+          }};
+}
+
 // ---- of the triangle on knots: de Boor's algorithm and knot insertion ---------------------------------------------
 
 // alpha[r][i] with u_{i+p} for u_{i+p-r+1}: the knots of the first level on every level.
 inline Misconception neighbour_knot() {
-  return {"neighbour-knot", "the denominator of alpha uses u_{i+p} on every level",
+  return {"neighbour-knot", "the denominator of alpha uses u_{i+p} on a later level",
           "Each level has one knot less between its ends: the denominator of alpha[r][i] is u_{i+p-r+1} - u_i.",
           [](const Site& site) -> std::vector<Numbers<Exact>> {
             if (site.trace().value(site.value()).rule != &rule_info<Ratio> || site.name().arity != 2) return {};

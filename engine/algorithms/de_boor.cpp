@@ -104,6 +104,7 @@ const Algorithm& de_boor() {
                         "gets alpha."),
         missing_division(),
         unweighted_points(),
+        unweighted_coordinates(),
         neighbour_knot(),
         wrong_pair(),
         wrong_span()};

@@ -71,6 +71,7 @@ const Algorithm& de_casteljau() {
             "gets 1-u and the second gets u."),
         missing_division(),
         unweighted_points(),
+        unweighted_coordinates(),
         {"wrong-pair", "the point on the wrong side is taken",
          "P[r][i] lies between P[r-1][i] and its right neighbour P[r-1][i+1], not between P[r-1][i-1] and P[r-1][i].",
          wrong_pair},

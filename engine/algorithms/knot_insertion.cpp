@@ -113,6 +113,7 @@ const Algorithm& knot_insertion() {
                         "the earlier point, so that one gets 1-alpha and the later one gets alpha."),
         missing_division(),
         unweighted_points(),
+        unweighted_coordinates(),
         neighbour_knot(),
         wrong_pair(),
         wrong_span(),

@@ -282,6 +282,12 @@ Checked<JsonDocument> JsonDocument::parse(std::string name, std::string text, co
     const auto [line, column] = Place(text).advance_to(offset);
     return Diagnostics{{std::move(name), line, column, "", std::move(message)}};
   };
+  // What is handed in by mistake is told by its first bytes, before it is found to be large or to have a NUL byte.
+  for (const auto& [begins, what] :
+       {std::pair("PK\x03\x04", "a zip archive or an office document (Word, ...)"), std::pair("%PDF", "a PDF document"),
+        std::pair("\xD0\xCF\x11\xE0", "an old office document")})
+    if (text.starts_with(begins))
+      return Diagnostics{{std::move(name), 0, 0, "", std::string("is ") + what + ", not JSON, which is plain text"}};
   const std::size_t most = std::min<std::size_t>(limits.bytes, std::numeric_limits<std::uint32_t>::max());
   if (text.size() > most) {
     return Diagnostics{{std::move(name), 0, 0, "", "too large; at most " + std::to_string(most) + " bytes"}};

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "base/json.hpp"
+#include "base/text_file.hpp"
 #include "base/utf8.hpp"
 
 namespace blossom {
@@ -78,10 +79,11 @@ void append_escape(std::string_view character, std::string& out) {
 
 }  // namespace
 
-Checked<JsonDocument> JsonDocument::load(const std::filesystem::path& path, const JsonLimits& limits) {
-  const std::size_t most = std::min<std::size_t>(limits.bytes, std::numeric_limits<std::uint32_t>::max());
+std::string file_title(const std::filesystem::path& path) { return path == "-" ? "standard input" : path.string(); }
+
+Checked<std::string> read_text(const std::filesystem::path& path, std::size_t most) {
   const bool standard_input = path == "-";
-  const std::string name = standard_input ? "standard input" : path.string();
+  const std::string name = file_title(path);
   // Without O_NONBLOCK opening a pipe would wait for a writer, perhaps for ever.
   const Descriptor fd(standard_input ? STDIN_FILENO
                                      : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
@@ -96,7 +98,13 @@ Checked<JsonDocument> JsonDocument::load(const std::filesystem::path& path, cons
   }
   std::string text;
   if (!read_all(fd, most, text)) return problem(name, "cannot be read: " + system_says(errno));
-  return parse(name, std::move(text), limits);
+  return text;
+}
+
+Checked<JsonDocument> JsonDocument::load(const std::filesystem::path& path, const JsonLimits& limits) {
+  auto text = read_text(path, std::min<std::size_t>(limits.bytes, std::numeric_limits<std::uint32_t>::max()));
+  if (!text) return text.diagnostics;
+  return parse(file_title(path), std::move(*text), limits);
 }
 
 Checked<bool> write_file(const std::filesystem::path& path, std::string_view content, unsigned mode) {

@@ -37,6 +37,13 @@ std::string_view file_kind_name(FileKind kind) {
   return {};
 }
 
+std::string with_article(FileKind kind) {
+  if (kind == FileKind::unknown) return "a file of an unknown kind";
+  const std::string name(file_kind_name(kind));
+  const bool vowel = std::string_view("aeiou").find(name[0]) != std::string_view::npos;
+  return (vowel ? "an " : "a ") + name + (kind == FileKind::answers ? " file" : "");
+}
+
 FileKind file_kind(const Json& root) {
   if (root.kind != Json::Kind::object) return FileKind::unknown;
   if (const Json* schema = root.find("schema"); schema != nullptr && schema->kind == Json::Kind::string)

@@ -1,6 +1,7 @@
 #pragma once
 // What a JSON document is, so that one command can check any of Blossom's files.
 
+#include <string>
 #include <string_view>
 
 #include "base/json.hpp"
@@ -15,5 +16,7 @@ FileKind file_kind(const Json& root);
 
 // "lesson", "exercise", ..., "unknown".
 std::string_view file_kind_name(FileKind);
+// "a lesson", "an answers file", "a file of an unknown kind".
+std::string with_article(FileKind);
 
 }  // namespace blossom

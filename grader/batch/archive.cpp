@@ -113,11 +113,16 @@ class Reading {
     if (std::string problem = problem_of_name(name, limits_, path); !problem.empty())
       return refuse(std::move(problem), found);
     const auto type = archive_entry_filetype(entry);
-    if (path.empty() || is_all_clutter(path)) return false;
+    if (path.empty() || has_part(path, is_litter)) return false;
     path = printable(path);
     found.submission.source = path;
     if (type == AE_IFDIR) return false;
     found.keys = keys_of(path);
+    if (has_part(path, [](std::string_view part) { return part.starts_with('.'); })) {
+      found.refused = true;
+      found.submission.problem = hidden_name;
+      return true;
+    }
     if (archive_entry_hardlink(entry) != nullptr || archive_entry_symlink(entry) != nullptr || type == AE_IFLNK)
       return refuse("a link", found);
     if (type != AE_IFREG) return refuse(type == AE_IFIFO ? "a pipe" : "a device, or of an unknown kind", found);
@@ -133,10 +138,11 @@ class Reading {
     return true;
   }
 
-  static bool is_all_clutter(std::string_view path) {
+  template <class Is>
+  static bool has_part(std::string_view path, Is&& is) {
     for (std::size_t begin = 0; begin <= path.size();) {
       const std::size_t end = std::min(path.find('/', begin), path.size());
-      if (is_clutter(path.substr(begin, end - begin))) return true;
+      if (is(path.substr(begin, end - begin))) return true;
       begin = end + 1;
     }
     return false;
@@ -221,8 +227,9 @@ void read_with(Open&& open, const SourceLimits& limits, const ArchiveSink& sink,
 }  // namespace
 
 void prepare_archives() {
-  // Where the time zone is not named, the C library looks at its file again for each time that it converts.
-  ::setenv("TZ", ":/etc/localtime", 0);
+  // The old times of zip know no zone: the same archive is to mean the same everywhere. And where none is named, the C
+  // library would look at a file for each time that it converts.
+  ::setenv("TZ", "UTC0", 1);
   ::tzset();
   const WithNamesLocale locale;
   const Archive reader = new_archive();

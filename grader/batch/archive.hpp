@@ -15,8 +15,8 @@
 
 namespace blossom {
 
-// Loads what reading takes from files of the system (the locale of UTF-8 names, the time zone of zip's times), so that
-// it can be done in a process that may open nothing any more.
+// Loads what reading takes from files of the system (the locale of UTF-8 names), so that it can be done in a process
+// that may open nothing any more, and sets the time zone of the process to UTC, which zip's times are read in.
 void prepare_archives();
 
 struct ArchiveSink {

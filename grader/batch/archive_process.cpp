@@ -24,7 +24,7 @@ constexpr int stalled_ms = 60'000;                 // progress is told every few
 constexpr std::size_t frame_overhead = 16u << 10;  // beyond the text of a submission: its name, its problem
 
 // What the process tells: frames of a length (u32), a letter and what belongs to it.
-enum class Frame : char { found = 'f', progress = 'p', end = 'e' };
+enum class Frame : char { open = 'o', found = 'f', progress = 'p', end = 'e' };
 
 class FrameWriter {
  public:
@@ -67,8 +67,9 @@ void close_all_but(int file, int pipe) {
   ::signal(SIGPIPE, SIG_DFL);
   close_all_but(file, pipe);
   prepare_archives();
-  enter_sandbox(memory_bytes);
   FrameWriter out(pipe);
+  const std::string open_because = enter_sandbox(memory_bytes);
+  out.write(Frame::open, [&](ByteWriter frame) { frame.text(open_because); });
   std::string failure;
   ArchiveSink sink;
   sink.found = [&](Found&& found) {
@@ -145,6 +146,9 @@ class ArchiveSource : public SubmissionSource {
       case Frame::end:
         failure_ = printable(in.text());
         stop(false);
+        return false;
+      case Frame::open:
+        open_because_ = printable(in.text());
         return false;
       case Frame::found:
         break;

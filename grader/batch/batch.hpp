@@ -59,6 +59,7 @@ struct BatchSummary {
   std::uint64_t students = 0;
   IncidentCounts incidents{};
   double mean_score = 0;
+  std::uint64_t untimed = 0;  // submissions that nobody says the time of, where there is a date due
   bool resumed = false;       // went on with what an interrupted run left
   bool was_finished = false;  // nothing was to be done: the results are there already
   std::string open_because;   // see Workers

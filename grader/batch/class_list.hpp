@@ -18,8 +18,9 @@ class ClassList {
   bool has_roster() const { return roster_.has_value(); }
   std::uint64_t size() const { return roster_ ? roster_->size() : newcomers_->size(); }
   Student student(std::uint64_t index) const;
-  // Whose a submission is that may be known by these keys; without a roster, the first of them.
-  std::optional<std::uint64_t> find(const std::vector<std::string>& keys);
+  // Whose a submission is that may be known by these keys; without a roster, the first of them. Nobody's, if the roster
+  // does not say clearly: then `why_not` is what is to be said of it, unless there are no keys.
+  std::optional<std::uint64_t> find(const std::vector<StudentKey>& keys, std::string& why_not);
   void finish();
 
  private:

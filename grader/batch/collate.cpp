@@ -4,6 +4,7 @@
 
 #include "base/json_write.hpp"
 #include "grader/batch/output.hpp"
+#include "grader/csv.hpp"
 #include "grader/page/class_page.hpp"
 
 namespace blossom {
@@ -78,6 +79,15 @@ void count(ClassStatistics& statistics, const PortionContent& portion, const Stu
   }
 }
 
+// What is nobody's; of more than a page lists, the rows are counted.
+void count_strays(ClassStatistics& statistics, const fs::path& strays) {
+  std::ifstream in(strays, std::ios::binary);
+  CsvReader reader(strays.filename().string(), in, {}, ',');
+  std::vector<std::string> cells;
+  while (reader.next(cells))
+    if (cells.size() == 5) statistics.add_stray(cells[1], cells[0], cells[3], cells[4]);
+}
+
 std::string write_summary(const Collation& collation, const BatchSummary& summary, const std::string& figures) {
   const Assignment& assignment = *collation.assignment;
   std::string text = "{\n  \"schema\": \"blossom.summary/1\",\n  \"assignment\": " + json_quote(assignment.id) +
@@ -113,7 +123,7 @@ BatchSummary collate(const Collation& collation, const fs::path& work,
   const StudentFiles files(collation.students);
   const bool pages = options.pages && options.student_files;
   Books books(collation, folder);
-  ClassStatistics statistics(collation.assignment->title, write);
+  ClassStatistics statistics(collation.assignment->title, write, collation.assignment);
   double score = 0;
   for (std::uint64_t number = 0; number * portion_size < collation.students; ++number) {
     const PortionContent portion = read_portion(portion_file(work, number));
@@ -127,6 +137,7 @@ BatchSummary collate(const Collation& collation, const fs::path& work,
   books.finish(work / "strays.csv");
   summary.mean_score = summary.students > 0 ? score / static_cast<double>(summary.students) : 0;
 
+  count_strays(statistics, work / "strays.csv");
   statistics.finish();
   write("summary.json", write_summary(collation, summary, statistics.json()));
   const auto assignment = JsonDocument::load(options.assignment);

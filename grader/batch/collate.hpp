@@ -13,9 +13,9 @@ struct Collation {
   const BatchOptions* options = nullptr;
   const Assignment* assignment = nullptr;
   ReportContext context;
-  std::uint64_t students = 0;
   Time now{};
   Intake intake;
+  std::uint64_t students = 0;
 };
 
 // Everything but run.json; the counts are complete afterwards.

@@ -28,7 +28,7 @@ class Names {
     errno = 0;
     while (const dirent* entry = ::readdir(stream)) {
       const std::string_view name = entry->d_name;
-      if (is_clutter(name)) continue;  // "." and ".." are among it
+      if (name == "." || name == ".." || is_litter(name)) continue;
       if (begins_.size() == most) {
         is_whole_ = false;
         break;
@@ -119,6 +119,7 @@ class FolderSource : public SubmissionSource {
     if (::fstatat(level.folder, name, &status, AT_SYMLINK_NOFOLLOW) != 0)
       return errno != ENOENT && unreadable(path, errno, found);  // removed meanwhile: as though it had not been there
     const bool is_folder = S_ISDIR(status.st_mode);
+    if (*name == '.') return refuse(std::string(hidden_name), found);
     if (!is_folder && !S_ISREG(status.st_mode)) return refuse("not read: " + kind_of(status.st_mode), found);
     if (!is_folder && !is_json_name(name)) return refuse(std::string(no_json_name), found);
     if (is_folder && static_cast<int>(open_.size()) > limits_.depth) return refuse(too_deep(limits_), found);

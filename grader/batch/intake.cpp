@@ -5,6 +5,7 @@
 #include "grader/batch/kept.hpp"
 #include "grader/batch/output.hpp"
 #include "grader/batch/spool.hpp"
+#include "grader/digest.hpp"
 
 namespace blossom {
 namespace {
@@ -19,9 +20,26 @@ std::uint64_t part_size(const ClassList& list) {
 }
 
 std::string read_json(const Intake& intake) {
-  std::string text = "{\"submissions\": " + std::to_string(intake.submissions) + ", \"strays\": [";
+  std::string text = "{\"submissions\": " + std::to_string(intake.submissions) +
+                     ", \"untimed\": " + std::to_string(intake.untimed) + ", \"digest\": " + json_quote(intake.digest) +
+                     ", \"strays\": [";
   for (std::size_t i = 0; i < incident_kinds; ++i) text += (i > 0 ? ", " : "") + std::to_string(intake.strays[i]);
   return text + "]}\n";
+}
+
+std::string first_key(const Found& found) { return found.keys.empty() ? std::string() : found.keys.front().text; }
+
+// A submission as the spool has it.
+void write_record(const Found& found, std::string& record) {
+  record.clear();
+  ByteWriter out(record);
+  write({found.submission, found.refused}, out);
+}
+
+void add_to(Sha256& digest, const Found& found, std::string& record) {
+  write_record(found, record);
+  ByteWriter(record).text(first_key(found));
+  digest.add(record);
 }
 
 class Taking {
@@ -32,16 +50,16 @@ class Taking {
   }
 
   void take(const Found& found) {
-    const Submission& submission = found.submission;
-    if (!found.refused) ++intake.submissions;
+    if (!found.refused) {
+      ++intake.submissions;
+      if (!found.submission.submitted) ++intake.untimed;
+    }
     // What is refused is nobody's handing in.
     std::optional<std::uint64_t> index;
-    if (!found.refused || list_->has_roster()) index = list_->find(found.keys);
-    const std::string key = found.keys.empty() ? std::string() : found.keys.front();
+    if (!found.refused || list_->has_roster()) index = list_->find(found.keys, why_not_);
+    const std::string key = first_key(found);
     if (index) {
-      record_.clear();
-      ByteWriter out(record_);
-      write({submission, found.refused}, out);
+      write_record(found, record_);
       spool_.add(*index, record_);
     } else {
       stray(found, key);
@@ -67,13 +85,11 @@ class Taking {
     if (found.refused) {
       incident.kind = Incident::Kind::refused;
       incident.text = found.submission.problem;
-    } else if (list_->has_roster() && !key.empty()) {
-      incident.text = "nobody on the roster is known as " + excerpt(key) + "; it was not graded";
-    } else if (!found.submission.problem.empty()) {
-      incident.text = "it does not say whose it is: " + found.submission.problem;
+    } else if (key.empty()) {
+      incident.text = found.submission.problem.empty() ? "it does not say whose it is; it was not graded"
+                                                       : "it does not say whose it is: " + found.submission.problem;
     } else {
-      incident.text = key.empty() ? "it does not say whose it is; it was not graded"
-                                  : "its student's name is too long; it was not graded";
+      incident.text = why_not_ + "; it was not graded";
     }
     ++intake.strays[static_cast<std::size_t>(incident.kind)];
     line_.clear();
@@ -85,7 +101,7 @@ class Taking {
   Spool spool_;
   OutputFile strays_;
   std::optional<OutputFile> kept_;
-  std::string record_, line_;
+  std::string record_, line_, why_not_;
 };
 
 }  // namespace
@@ -94,8 +110,11 @@ Checked<Intake> take_in(SubmissionSource& source, ClassList& list, const std::fi
                         const IntakeOptions& options, const std::function<void(const BatchProgress&)>& progress) {
   Taking taking(list, work, options.keep);
   Found found;
+  Sha256 digest;
+  std::string record;
   std::uint64_t count = 0;
   while (source.next(found)) {
+    if (options.digest) add_to(digest, found, record);
     if (!options.times) found.submission.submitted.reset();
     try {
       taking.take(found);
@@ -110,8 +129,18 @@ Checked<Intake> take_in(SubmissionSource& source, ClassList& list, const std::fi
   }
   if (!source.failure().empty()) return Diagnostics{{"", 0, 0, "", source.failure()}};
   taking.finish();
+  if (options.digest) taking.intake.digest = digest.hex();
   place_file(work, work / "read.json", read_json(taking.intake));
   return taking.intake;
+}
+
+Checked<std::string> digest_of(SubmissionSource& source) {
+  Found found;
+  Sha256 digest;
+  std::string record;
+  while (source.next(found)) add_to(digest, found, record);
+  if (!source.failure().empty()) return Diagnostics{{"", 0, 0, "", source.failure()}};
+  return digest.hex();
 }
 
 std::optional<Intake> taken_in(const std::filesystem::path& work) {
@@ -127,6 +156,8 @@ std::optional<Intake> taken_in(const std::filesystem::path& work) {
   };
   Intake intake;
   if (const auto at = root.required("submissions")) intake.submissions = count(*at);
+  if (const auto at = root.required("untimed")) intake.untimed = count(*at);
+  if (const auto at = root.required("digest")) intake.digest = at->string().value_or("");
   if (const auto at = root.required("strays"); at && at->expect_array(incident_kinds, incident_kinds))
     for (std::size_t i = 0; i < incident_kinds; ++i) intake.strays[i] = count((*at)[i]);
   if (!diagnostics.empty()) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "base/utf8.hpp"
+#include "grader/batch/sources.hpp"
 
 namespace blossom {
 namespace {
@@ -50,6 +51,10 @@ class KeptSource final : public SubmissionSource {
     }
     read_ += line.size() + 1;
     if (!read_special(line, found)) found = read_line(line);
+    // Of somebody who was not on the roster only the first key was kept; all of them are in the path it came from.
+    if (!found.keys.empty())
+      if (auto keys = keys_of(found.submission.source); !keys.empty() && keys.front() == found.keys.front())
+        found.keys = std::move(keys);
     return true;
   }
 
@@ -72,7 +77,7 @@ class KeptSource final : public SubmissionSource {
     const std::string *problem = text("problem"), *refused = text("refused"), *hex = text("submission_hex");
     if (problem == nullptr && refused == nullptr && hex == nullptr) return false;
     found = {};
-    if (const auto* student = text("student")) found.keys.push_back(*student);
+    if (const auto* student = text("student")) found.keys.push_back({*student});
     if (const auto* source = text("source")) found.submission.source = *source;
     if (const auto* submitted = text("submitted")) found.submission.submitted = parse_time(*submitted);
     if (refused != nullptr) found.refused = true;

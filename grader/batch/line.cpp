@@ -244,7 +244,7 @@ Found read_line(std::string_view line, const SourceLimits& limits) {
   if (!student) return nobodys(problem);
   if (student->empty() || student->size() > most_key_bytes || !is_single_line(*student))
     return nobodys("\"student\" must be the ID of a student, not " + excerpt(*student));
-  found.keys.push_back(std::move(*student));
+  found.keys.push_back({normal_form(*student)});
 
   take_submission(line, envelope, limits, submission);
   if (envelope.submitted != nullptr) submission.submitted = submitted_of(*envelope.submitted, problem);

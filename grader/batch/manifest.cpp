@@ -1,10 +1,7 @@
 #include "grader/batch/manifest.hpp"
 
-#include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <fstream>
 #include <system_error>
 
@@ -70,14 +67,14 @@ Manifest manifest_of(const BatchOptions& options, const Assignment& assignment, 
   manifest.assignment = sha256_hex(text);
   if (options.roster) manifest.roster = digest_of_file(*options.roster);
   text.clear();
-  out.text(options.program);
   for (const ReportFormat* format : options.formats) out.text(format->name);
   out.number(static_cast<char>(options.pages));
   out.number(static_cast<char>(options.student_files));
   out.number(static_cast<char>(options.keep_submissions));
   out.number(static_cast<char>(options.file_times));
-  out.text(secret);
   manifest.options = sha256_hex(text);
+  manifest.secret = digest_of_secret(secret);
+  manifest.program = options.program;
   manifest.submissions = fingerprint(options.submissions);
   return manifest;
 }
@@ -86,7 +83,9 @@ std::string difference(const Manifest& there, const Manifest& wanted) {
   if (there.assignment != wanted.assignment) return "the assignment or one of its exercises has changed";
   if (there.roster != wanted.roster) return "the roster has changed";
   if (there.submissions != wanted.submissions) return "the submissions have changed";
-  if (there.options != wanted.options) return "the options, the secret or this program have changed";
+  if (there.secret != wanted.secret) return "the course's secret is another one";
+  if (there.program != wanted.program) return "this is another version of the program";
+  if (there.options != wanted.options) return "other formats or options are asked for";
   if (there.now != wanted.now) return "it was made as of " + format_time(there.now);
   return {};
 }
@@ -109,6 +108,8 @@ std::optional<Manifest> read_manifest(const fs::path& out) {
   text("assignment", manifest.assignment);
   text("roster", manifest.roster);
   text("options", manifest.options);
+  text("secret", manifest.secret);
+  text("program", manifest.program);
   text("submissions", manifest.submissions);
   const auto time = parse_time(now);
   if (!diagnostics.empty() || schema != "blossom.run/1" || !time) return std::nullopt;
@@ -128,19 +129,14 @@ void write_manifest(const Manifest& manifest, const fs::path& out, const fs::pat
   member("assignment", manifest.assignment);
   member("roster", manifest.roster);
   member("options", manifest.options);
+  member("secret", manifest.secret);
+  member("program", manifest.program);
   member("submissions", manifest.submissions);
   place_file(work, out / file_name, text + "\n}\n");
 }
 
-// A record lock: processes that are forked while it is held do not hold it, too.
-FolderLock::FolderLock(const fs::path& file) : fd_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
-  if (fd_ < 0) throw std::system_error(errno, std::generic_category(), file.string());
-  struct flock lock {};
-  lock.l_type = F_WRLCK;
-  lock.l_whence = SEEK_SET;
-  held_ = ::fcntl(fd_, F_SETLK, &lock) == 0;
+std::string digest_of_secret(const std::string& secret) {
+  return secret.empty() ? std::string() : sha256_hex("blossom course secret\n" + secret);
 }
-
-FolderLock::~FolderLock() { ::close(fd_); }
 
 }  // namespace blossom

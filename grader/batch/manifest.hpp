@@ -17,7 +17,9 @@ struct Manifest {
   // Digests of what the results depend on.
   std::string assignment;   // with its exercises
   std::string roster;       // empty: none
-  std::string options;      // formats, pages, the course's secret, the program
+  std::string options;      // formats, pages
+  std::string secret;       // the course's
+  std::string program;      // its version
   std::string submissions;  // names, sizes and times; of standard input nothing can be told
 };
 
@@ -31,18 +33,7 @@ std::string difference(const Manifest& there, const Manifest& wanted);
 std::optional<Manifest> read_manifest(const std::filesystem::path& out);
 void write_manifest(const Manifest&, const std::filesystem::path& out, const std::filesystem::path& work);
 
-// Held while a run works in a folder; released by the system when the process ends, however it ends.
-class FolderLock {
- public:
-  explicit FolderLock(const std::filesystem::path& file);
-  ~FolderLock();
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-  bool held() const { return held_; }
-
- private:
-  int fd_;
-  bool held_;
-};
+// Of a secret; empty: none.
+std::string digest_of_secret(const std::string& secret);
 
 }  // namespace blossom

@@ -1,10 +1,13 @@
 #include "grader/batch/regrade.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <unordered_map>
 
+#include "grader/batch/manifest.hpp"
 #include "grader/batch/revision.hpp"
 #include "grader/csv.hpp"
+#include "grader/variant.hpp"
 
 namespace blossom {
 namespace {
@@ -164,7 +167,7 @@ class Comparing {
     std::string reason = revision_->of_exercise(id);
     const bool late = !text(was, "days_late").empty() || !text(now, "days_late").empty();
     if (late) add(reason, revision_->of_lateness());
-    if (found_.size() > before) add(reason, "its parts have changed");
+    if (found_.size() > before) add(reason, "its values below");
     found_.insert(found_.begin() + static_cast<std::ptrdiff_t>(before),
                   {{}, id, {}, points_of(was), points_of(now), why(id, reason, other_file)});
   }
@@ -232,6 +235,18 @@ Checked<Changes> find_changes(const fs::path& old_results, const fs::path& new_r
   if (both > 0) changes.mean_was /= both;
   if (changes.students > 0) changes.mean_now /= static_cast<double>(changes.students);
   return changes;
+}
+
+Diagnostics other_secret(const fs::path& old_results, const BatchOptions& wanted) {
+  const auto manifest = read_manifest(old_results);
+  const auto assignment = load_assignment(wanted.assignment);
+  if (!manifest || manifest->secret.empty() || !wanted.secret || !assignment) return {};
+  const auto secret = load_secret(*wanted.secret);
+  const bool varied = std::ranges::any_of(assignment->items, [](const auto& each) { return varies(each.document); });
+  if (!secret || !varied || digest_of_secret(*secret) == manifest->secret) return {};
+  return {{wanted.secret->string(), 0, 0, "",
+           "is not the secret of " + old_results.string() +
+               ": everybody would be graded against numbers that were never theirs"}};
 }
 
 std::string change_header() {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/diagnostics.hpp"
+#include "grader/batch/batch.hpp"
 
 namespace blossom {
 
@@ -32,7 +33,11 @@ struct Changes {
 Checked<Changes> find_changes(const std::filesystem::path& old_results, const std::filesystem::path& new_results,
                               const std::function<void(const Change&)>& each);
 
-// The same as rows of a file, which is written to be changes.csv.
+// Where students have numbers of their own, those of the old results must be those of the new ones: why they are not,
+// as far as both can be read.
+Diagnostics other_secret(const std::filesystem::path& old_results, const BatchOptions& wanted);
+
+// Changes as rows of a file, which is written to be changes.csv.
 std::string change_header();
 void write_change(const Change&, std::string& out);
 

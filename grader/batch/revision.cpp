@@ -1,5 +1,8 @@
 #include "grader/batch/revision.hpp"
 
+#include "base/json_write.hpp"
+#include "grader/variant.hpp"
+
 namespace blossom {
 namespace {
 
@@ -13,7 +16,7 @@ void add_change(std::string& reasons, const std::string& what, const std::string
 
 std::string voided_words(Voided voided) {
   return voided == Voided::no       ? "no longer voided"
-         : voided == Voided::credit ? "voided: everybody gets its points"
+         : voided == Voided::credit ? "voided: everybody whose answers could be read gets its points"
                                     : "voided: it counts for nobody";
 }
 
@@ -25,6 +28,7 @@ std::string part_reasons(const Part& was, const Part& now) {
   std::string reasons;
   if (was.voided != now.voided) add(reasons, voided_words(now.voided));
   add_change(reasons, "points", number(was.points), number(now.points));
+  if (was.voided != now.voided && now.voided != Voided::no) return reasons;  // how it is judged is no matter then
   add_change(reasons, "tolerance", tolerance_words(was.tolerance), tolerance_words(now.tolerance));
   add_change(reasons, "form", form_words(was.form), form_words(now.form));
   if (was.right != now.right) add(reasons, "the right value has changed");
@@ -83,8 +87,17 @@ void Revision::compare(const Assignment::Item& was, const Assignment::Item& now)
   add_change(shares, "share of what is carried", number(before.carried), number(after.carried));
   add_change(shares, "share of a misconception", number(before.misconception), number(after.misconception));
   add_change(shares, "share of a slip", number(before.slip), number(after.slip));
-  const auto varies = [](const JsonDocument& document) { return document.root().find("vary") != nullptr; };
   if (varies(was.document) != varies(now.document)) add(shares, "whether numbers are each student's own has changed");
+  const auto drawn = [](const JsonDocument& document, std::string_view key) {
+    const Json* member = document.root().find(key);
+    return member == nullptr ? std::string() : write_json(*member);
+  };
+  if (varies(was.document) && varies(now.document))
+    for (const auto* key : {"vary", "inputs"})
+      if (drawn(was.document, key) != drawn(now.document, key)) {
+        add(shares, "the numbers students are given, and so the right values, have changed");
+        break;
+      }
   for (const Part& part : after.parts) {
     const auto other = before.part(part.name);
     std::string reasons = other ? part_reasons(before.parts[*other], part) : "it was not asked before";

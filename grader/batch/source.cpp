@@ -13,6 +13,7 @@ namespace blossom {
 namespace {
 
 constexpr std::string_view digits = "0123456789";
+constexpr std::string_view moodle_mark = "_assignsubmission_";
 
 std::string lower(std::string_view text) {
   std::string out(text);
@@ -40,15 +41,14 @@ std::string_view canvas_user(std::string_view name) {
 
 // Moodle names a folder, or the beginning of a file, FULL NAME_PARTICIPANT_assignsubmission_file_. Where the mark
 // stands twice, somebody chose a name to be taken for somebody else.
-void add_moodle(std::string_view name, std::vector<std::string>& keys) {
-  constexpr std::string_view mark = "_assignsubmission_";
-  const std::size_t end = name.find(mark);
-  if (end == std::string_view::npos || name.find(mark, end + 1) != std::string_view::npos) return;
+// The full name is the student's own to change, and is no key.
+std::string_view moodle_participant(std::string_view name) {
+  const std::size_t end = name.find(moodle_mark);
+  if (end == std::string_view::npos || name.find(moodle_mark, end + 1) != std::string_view::npos) return {};
   const std::string_view before = name.substr(0, end);
   const std::size_t number = before.find_last_not_of(digits) + 1;
-  if (number < 2 || number == before.size() || before[number - 1] != '_') return;
-  keys.emplace_back(before.substr(number));
-  keys.emplace_back(before.substr(0, number - 1));
+  if (number < 2 || number == before.size() || before[number - 1] != '_') return {};
+  return before.substr(number);
 }
 
 Diagnostics problem(const std::filesystem::path& path, std::string message) {
@@ -57,22 +57,21 @@ Diagnostics problem(const std::filesystem::path& path, std::string message) {
 
 }  // namespace
 
-std::vector<std::string> keys_of(std::string_view path) {
+std::vector<StudentKey> keys_of(std::string_view path) {
   const std::size_t slash = path.find('/');
+  const bool is_file = slash == std::string_view::npos;
   std::string_view name = path.substr(0, slash);
-  if (slash == std::string_view::npos && is_json_name(name)) name.remove_suffix(5);
-  std::vector<std::string> keys;
+  if (is_file && is_json_name(name)) name.remove_suffix(5);
+  std::vector<StudentKey> keys;
   if (name.empty()) return keys;
-  keys.emplace_back(name);
-  if (const std::string_view user = canvas_user(name); !user.empty())
-    keys.emplace_back(user);
-  else
-    add_moodle(name, keys);
+  keys.push_back({normal_form(name)});
+  // A file may look like both, for the beginning of Moodle's and the end of Canvas's is what a student chose.
+  const std::string_view user = is_file ? canvas_user(name) : std::string_view();
+  const std::string_view participant = moodle_participant(name);
+  const bool looks_like_both = !user.empty() && name.find(moodle_mark) != std::string_view::npos;
+  if (const std::string_view number = user.empty() ? participant : user; !number.empty() && !looks_like_both)
+    keys.push_back({std::string(number), StudentKey::Kind::lms_number});
   return keys;
-}
-
-bool is_clutter(std::string_view name) {
-  return name.starts_with('.') || name == "__MACOSX" || lower(name) == "thumbs.db" || lower(name) == "desktop.ini";
 }
 
 bool is_json_name(std::string_view name) { return lower(name).ends_with(".json"); }

@@ -3,7 +3,12 @@
 // always in the same order, and nothing they hold can lead outside or cost more than its limit.
 //
 // In a folder or archive, the first part of the path says whose it is: STUDENT.json, STUDENT/anything.json,
-// STUDENT/deeper/anything.json. Names as Canvas and Moodle give them on download are known, too (see `key` below).
+// STUDENT/deeper/anything.json. Names as Canvas and Moodle give them on download are known, too, by the number in them
+// that the student has no hand in: 4711 of Canvas's file lovelaceada_LATE_4711_99_a.json, of Moodle's file or folder
+// "Ada Lovelace_4711_assignsubmission_file_". What can be read both ways, or in two places, says nothing.
+//
+// What systems leave in folders by themselves (is_litter) is passed over; other hidden files are refused. Times in a
+// zip archive that has them only in the old form, which knows no time zone, are read as UTC.
 //
 // JSON Lines, one submission a line, made by whoever runs the course, who is trusted about "student":
 //   {"student": "s17", "submitted"?: time, "source"?: text, "submission": the answers file as an object, or as a
@@ -22,6 +27,7 @@
 #include <vector>
 
 #include "base/diagnostics.hpp"
+#include "grader/student.hpp"
 #include "grader/submission.hpp"
 
 namespace blossom {
@@ -34,8 +40,7 @@ struct SourceLimits {
 };
 
 struct Found {
-  std::vector<std::string> keys;  // whose it may be, likeliest first: "s17"; of Canvas's
-                                  // lovelaceada_LATE_4711_99_a.json also "4711"; none: nobody's
+  std::vector<StudentKey> keys;  // whose it may be, likeliest first: "s17"; none: nobody's
   Submission submission;
   bool refused = false;  // no submission: a link, a device, a name that leads outside (its problem says what)
 };
@@ -48,9 +53,12 @@ class SubmissionSource {
   const std::string& failure() const { return failure_; }
   // How much of all has been read, of 0..1; nothing where that is not known.
   virtual std::optional<double> progress() const { return std::nullopt; }
+  // Why what unpacks an archive is not (wholly) closed off, as far as it has said so; empty if it is.
+  const std::string& open_because() const { return open_because_; }
 
  protected:
   std::string failure_;
+  std::string open_because_;
 };
 
 // "-" is JSON Lines on standard input; a file that ends in .jsonl is JSON Lines, too. Archives are unpacked in a

@@ -16,11 +16,10 @@ std::unique_ptr<SubmissionSource> folder_of(Descriptor folder, const SourceLimit
 std::unique_ptr<SubmissionSource> archive_of(Descriptor file, const SourceLimits&);
 
 // Whose a file is by its path ("s17/a.json"), likeliest first.
-std::vector<std::string> keys_of(std::string_view path);
-// What systems leave beside the files one sees: .DS_Store and all that is hidden, __MACOSX, Thumbs.db.
-bool is_clutter(std::string_view name);
+std::vector<StudentKey> keys_of(std::string_view path);
 bool is_json_name(std::string_view name);
 
+inline constexpr std::string_view hidden_name = "not read: its name begins with a point, which hides it";
 inline constexpr std::string_view no_json_name = "not read: the name of a submission ends in .json";
 std::size_t most_line_bytes(const SourceLimits&);
 std::string too_long(const SourceLimits&);

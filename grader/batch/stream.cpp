@@ -48,7 +48,7 @@ std::optional<std::size_t> item_of(const Assignment& assignment, const Checked<J
     return std::nullopt;
   }
   const auto item = assignment.item(id->text);
-  if (!item) reason = "the assignment has no exercise " + excerpt(id->text);
+  if (!item) reason = no_exercise_of(assignment, id->text);
   return item;
 }
 
@@ -132,7 +132,7 @@ void grade_line(Examiner& examiner, std::string_view item, std::string& line) {
   if (is_long(item))
     return write_ungraded(item, {}, "too long; a line has at most " + std::to_string(longest_line) + " bytes", line);
   Found found = read_line(item);
-  const std::string student = found.keys.empty() ? std::string() : std::move(found.keys.front());
+  const std::string student = found.keys.empty() ? std::string() : std::move(found.keys.front().text);
   if (!found.submission.problem.empty()) return write_ungraded(item, student, found.submission.problem, line);
 
   const auto document = JsonDocument::parse({}, std::move(found.submission.text), submission_limits);

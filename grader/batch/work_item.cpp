@@ -52,6 +52,7 @@ std::string to_bytes(const WorkItem& item) {
   out.number(item.index);
   Student student = item.student;
   for_each_text(student, [&](std::string& text) { out.text(text); });
+  out.number(static_cast<char>(student.is_participant ? 1 : 0));
   write_time(student.due, out);
   out.number(static_cast<char>(item.with_page ? 1 : 0));
   out.number(static_cast<std::uint64_t>(item.handed.size()));
@@ -77,6 +78,7 @@ WorkItem read_work_item(std::string_view bytes) {
   WorkItem item;
   item.index = in.number<std::uint64_t>();
   for_each_text(item.student, [&](std::string& text) { text = in.text(); });
+  item.student.is_participant = in.number<char>() != 0;
   item.student.due = read_time(in);
   item.with_page = in.number<char>() != 0;
   for (auto n = in.number<std::uint64_t>(); n > 0; --n) item.handed.emplace_back(in.text());

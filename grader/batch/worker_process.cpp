@@ -84,7 +84,7 @@ class Worker {
       close(score);
     }
     const int kept = fcntl(socket, F_DUPFD, socket_ + 1);
-    if (kept < 0 || dup2(kept, socket_) < 0) _exit(1);
+    if (kept < 0 || dup2(kept, socket_) < 0) _exit(errno);
     const int nothing = open("/dev/null", O_RDWR);
     for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
       if (standard != STDERR_FILENO || !sanitized) dup2(nothing, standard);
@@ -175,10 +175,14 @@ WorkerProcess::WorkerProcess(const Workers::Work& work, const WorkerOptions& opt
   const bool ready = pid_ > 0 && read_all(socket_, reinterpret_cast<char*>(&length), sizeof length);
   open_because.assign(ready ? length : 0, '\0');
   if (ready && read_all(socket_, open_because.data(), length)) return;
-  const std::string why = pid_ > 0 ? "a worker " + end() : "no process for a worker";
   close(socket_);
   munmap(shared, sizeof(Progress));
-  throw std::system_error(pid_ > 0 ? ECHILD : error, std::generic_category(), why);
+  if (pid_ < 0) throw std::system_error(error, std::generic_category(), "no process for a worker");
+  const auto status = reap();
+  // Before it is ready it ends of nothing but what the system refuses it, and with that error as its status.
+  if (status && WIFEXITED(*status) && WEXITSTATUS(*status) != 0)
+    throw std::system_error(WEXITSTATUS(*status), std::generic_category(), "a worker cannot be started");
+  throw std::system_error(ECHILD, std::generic_category(), "a worker " + (status ? how_it_ended(*status) : "died"));
 }
 
 WorkerProcess::~WorkerProcess() {
@@ -196,14 +200,20 @@ double WorkerProcess::processor_seconds() const {
 
 std::string WorkerProcess::end() {
   if (pid_ <= 0) return {};
+  const auto status = reap();
+  return status ? how_it_ended(*status) : "died";
+}
+
+std::optional<int> WorkerProcess::reap() {
   // One that has died already keeps what it died of.
   kill(pid_, SIGKILL);
   int status = 0;
   pid_t ended;
   while ((ended = waitpid(pid_, &status, 0)) < 0 && errno == EINTR) continue;
   const bool known = ended == pid_;
+  was_killed_ = known && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
   pid_ = 0;
-  return known ? how_it_ended(status) : "died";
+  return known ? std::optional(status) : std::nullopt;
 }
 
 }  // namespace blossom

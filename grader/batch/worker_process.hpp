@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <cstring>
+#include <optional>
 #include <string>
 
 #include "grader/batch/workers.hpp"
@@ -58,9 +59,15 @@ class WorkerProcess {
   double processor_seconds() const;  // that it has had
   // Ends it and says what it had died of before, if it had: "died of signal 11 (SIGSEGV)".
   std::string end();
+  // After end(): whether SIGKILL ended it, which nothing that it does itself can be answered with but running out of
+  // the machine's memory.
+  bool was_killed() const { return was_killed_; }
 
  private:
+  std::optional<int> reap();  // ends it; its status
+
   pid_t pid_ = -1;
+  bool was_killed_ = false;
   int socket_ = -1;
   Progress* progress_ = nullptr;
 };

@@ -28,7 +28,7 @@ constexpr std::size_t most_held = 32u << 20;  // bytes of answers that wait for 
 constexpr std::size_t frames_of_worker = 2;   // one that it works on, and one so that it need not wait
 constexpr std::size_t first_frame_items = 4;  // a small class is to be spread, too
 constexpr double idle_factor = 10;            // so many times its time an item may take that does not compute
-constexpr int deaths_without_guilt = 3;       // so often a worker may die between items
+constexpr int deaths_without_guilt = 3;       // so often a worker may die between items, or be killed at one
 
 struct Entry {
   enum class State : std::uint8_t { asked, answered, lost } state = State::asked;
@@ -94,7 +94,7 @@ struct Slot {
   std::uint64_t seen = 0;         // its progress, when last looked at
   double waited = 0;              // so long it has been there
   double had = 0;                 // and so much of the processor's time it had had before
-  int deaths = 0;                 // between items, without an answer since
+  int deaths = 0;                 // that no item was guilty of, without an answer since
 
   std::string_view outgoing() const {
     if (unsent == 0) return {};
@@ -296,8 +296,10 @@ class Workers::Pool {
     if (because && because->why == Lost::Why::slow) receive(slot, SIZE_MAX);
     const std::uint64_t progress = slot.process->progress();
     Lost why = because ? std::move(*because) : Lost{Lost::Why::died, "the grader " + ended};
-    // A worker that is not at an item has died of something else, unless it does so again and again.
-    if (!slot.frames.empty() && (progress % 2 != 0 || ++slot.deaths >= deaths_without_guilt)) {
+    // A worker that is not at an item, or that somebody killed (an administrator, the system for want of memory), has
+    // died of something else, unless it does so again and again.
+    const bool guilty = progress % 2 != 0 && (why.why == Lost::Why::slow || !slot.process->was_killed());
+    if (!slot.frames.empty() && (guilty || ++slot.deaths >= deaths_without_guilt)) {
       lose_at(slot, progress / 2 >= slot.answers ? progress / 2 - slot.answers : 0, std::move(why));
       slot.deaths = 0;
     }

@@ -1,7 +1,8 @@
 #pragma once
 // A pool of processes that turn items into answers, in the sandbox (see sandbox.hpp), in order. A worker that dies, or
 // takes too long over an item, takes that item with it and is replaced; all others are answered as though nothing had
-// happened. Items and answers are bytes; they travel in frames of many.
+// happened. A worker that is killed from outside takes nothing with it: its item is tried again, three times in all.
+// Items and answers are bytes; they travel in frames of many.
 
 #include <cstdint>
 #include <functional>

@@ -34,7 +34,7 @@ void set_up(CLI::App& app, int& status) {
       ->option_text("SUBMISSIONS");
   add_batch_options(app, *words);
   app.footer(manual);
-  app.callback([words, &status] { status = run_and_tell(words->options()) ? done : input_at_fault; });
+  app.callback([words, &status] { status = run_and_tell(words->options()) ? done_if_told() : input_at_fault; });
 }
 
 }  // namespace

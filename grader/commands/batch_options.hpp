@@ -51,19 +51,22 @@ inline void add_batch_options(CLI::App& app, BatchWords& words) {
     help += "\n" + std::string(known->name) + ": " + std::string(known->description);
   }
   app.add_option("-r,--roster", words.roster, "the class, a CSV file with a header row")->option_text("FILE");
-  app.add_option("-o,--out", words.out, "the folder of results")->required()->option_text("DIR");
+  app.add_option("-o,--out", words.out, "the folder of results")
+      ->required()
+      ->check([](const std::string& text) { return text.empty() ? "must have a name" : std::string(); })
+      ->option_text("DIR");
   app.add_option("-f,--format", words.formats, help)
       ->delimiter(',')
-      ->check(CLI::IsMember(formats))
+      ->check(is_one_of(formats))
       ->option_text("FORMAT,...");
   app.add_option("--secret-file", words.secret_file, "the course's secret, which variants are drawn with")
       ->option_text("FILE");
   app.add_option("--now", words.now, "the time that decides what students may see yet, such as 2026-10-01T12:00:00Z")
-      ->check([](const std::string& text) {
-        return parse_time(text) ? std::string() : "is no time such as 2026-10-01T12:00:00Z: " + text;
-      })
+      ->check([](const std::string& text) { return parse_time(text) ? std::string() : time_problem(text); })
       ->option_text("TIME (default: the clock's)");
-  app.add_option("-j,--jobs", words.jobs, "worker processes")->option_text("N (default: one for each core)");
+  app.add_option("-j,--jobs", words.jobs, "worker processes")
+      ->check(CLI::Range(1u, 1024u))
+      ->option_text("N (default: one for each core)");
   app.add_flag("--no-pages", words.no_pages, "students get no pages, only their results as JSON");
   app.add_flag("--class-only", words.class_only, "nothing is written for each student");
   app.add_flag("--no-copy", words.no_copy, "submissions.jsonl, what was handed in, is not kept for regrading");
@@ -103,6 +106,22 @@ inline std::string counted(std::uint64_t n, std::string_view one, std::string_vi
   return std::to_string(n) + " " + std::string(n == 1 ? one : many);
 }
 
+// What does not stop a run, but is seldom meant.
+inline void warn(const BatchOptions& options, const BatchSummary& summary) {
+  const auto say = [](const std::string& text) { std::fprintf(stderr, "blossom-grade: %s\n", text.c_str()); };
+  const std::string submissions = options.submissions == "-" ? "standard input" : printable(options.submissions);
+  const std::uint64_t unlisted = summary.incidents[static_cast<std::size_t>(Incident::Kind::unlisted)];
+  if (summary.submissions == 0) say("there is no submission in " + submissions);
+  if (options.roster && 2 * unlisted > summary.submissions)
+    say(std::to_string(unlisted) + " of " + counted(summary.submissions, "submission", "submissions") +
+        " are of nobody on the roster: is " + submissions + " all of this class, and " +
+        printable(options.roster->string()) + " its roster? incidents.csv says by what name each was looked for");
+  if (summary.untimed > 0)
+    say("nobody says when " + counted(summary.untimed, "submission was", "submissions were") +
+        " handed in, and none of those counts as late; --file-times takes the files' own times, and JSON Lines have " +
+        "\"submitted\"");
+}
+
 // Runs it and says how it went.
 inline Checked<BatchSummary> run_and_tell(const BatchOptions& options) {
   ProgressLine line;
@@ -120,6 +139,7 @@ inline Checked<BatchSummary> run_and_tell(const BatchOptions& options) {
                  printable(summary->open_because).c_str());
   std::printf("%s, %s, mean score %.1f %%\n", counted(summary->students, "student", "students").c_str(),
               counted(summary->submissions, "submission", "submissions").c_str(), 100 * summary->mean_score);
+  warn(options, *summary);
   std::uint64_t all = 0;
   std::string kinds;
   for (std::size_t i = 0; i < incident_kinds; ++i) {
@@ -134,13 +154,20 @@ inline Checked<BatchSummary> run_and_tell(const BatchOptions& options) {
   if (all > 0) std::printf("  %s/incidents.csv: what is late, missing, unreadable or out of order\n", out.c_str());
   for (const ReportFormat* format : options.formats) {
     const std::string name(format->name), extension(format->extension);
-    const std::string file =
-        format->scope == ReportFormat::Scope::course ? "gradebook." + name + "." + extension : name + "/";
+    const bool of_student = format->scope == ReportFormat::Scope::student;
+    const std::string file = of_student ? name + "/ID." + extension : "gradebook." + name + "." + extension;
     std::printf("  %s/%s: %.*s\n", out.c_str(), file.c_str(), static_cast<int>(format->description.size()),
                 format->description.data());
   }
   if (options.student_files) std::printf("  %s/students/: what each student may see\n", out.c_str());
   return summary;
+}
+
+// The status at the end: what was said must have been written, too.
+inline int done_if_told() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return done;
+  std::fputs("blossom-grade: the output cannot be written\n", stderr);
+  return machine_at_fault;
 }
 
 }  // namespace blossom

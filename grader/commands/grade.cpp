@@ -2,8 +2,15 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <utility>
 
 #include "base/json.hpp"
+#include "base/text_file.hpp"
+#include "grader/batch/bytes.hpp"
+#include "grader/batch/stream.hpp"
+#include "grader/batch/workers.hpp"
 #include "grader/command.hpp"
 #include "grader/handed_in.hpp"
 #include "grader/report/report.hpp"
@@ -108,23 +115,28 @@ std::optional<std::size_t> item_of(const Assignment& assignment, const Checked<J
   return id != nullptr && id->kind == Json::Kind::string ? assignment.item(id->text) : std::nullopt;
 }
 
-// One file, against that exercise alone. Nothing, with the reason, where no numbers can be drawn for the student.
-Checked<StudentResult> grade_file(Examiner& examiner, const std::string& file) {
+// A file as it was read, against that exercise alone, whose numbers are the same for everybody.
+StudentResult grade_file(Examiner& examiner, const std::string& file, Checked<std::string> text) {
   const Assignment& assignment = examiner.assignment();
   StudentResult result;
   result.assignment = &assignment;
   if (file != "-") result.student.id = std::filesystem::path(file).stem().string();
-  auto answers = JsonDocument::load(file, submission_limits);
+  auto answers = text ? JsonDocument::parse(file_title(file), std::move(*text), submission_limits)
+                      : Checked<JsonDocument>(std::move(text.diagnostics));
   const auto item = item_of(assignment, answers);
   if (!item) {
-    result.incidents.push_back({Incident::Kind::misplaced, {}, {}, "it names no exercise of this assignment"});
+    const Json* id = answers ? answers->root().find("exercise") : nullptr;
+    result.incidents.push_back({Incident::Kind::misplaced,
+                                {},
+                                {},
+                                id != nullptr && id->kind == Json::Kind::string
+                                    ? no_exercise_of(assignment, id->text)
+                                    : "it names no exercise of this assignment"});
     return result;
   }
-  auto grader = examiner.grader(*item, result.student.id);
-  if (!grader) return grader.diagnostics;
   ExerciseResult& only = result.exercises.emplace_back();
   only.item = *item;
-  only.grader = std::move(*grader);
+  only.grader = *examiner.grader(*item, result.student.id);
   only.grade = only.grader->grade(answers, result.student.id);
   if (answers) only.answers = std::make_shared<const JsonDocument>(std::move(*answers));
   only.max_points = assignment.items[*item].points;
@@ -134,19 +146,84 @@ Checked<StudentResult> grade_file(Examiner& examiner, const std::string& file) {
   return result;
 }
 
+// A process in the sandbox, which turns what was read into a piece of the report. One only, for a report may gather
+// something of every piece.
+class Closed {
+ public:
+  // Of a file or student: its piece of the report, and whether it could be read.
+  using Piece = std::function<bool(std::string_view item, std::string& piece)>;
+
+  Closed(Examiner& examiner, const Piece& piece)
+      : workers_([piece](std::string_view item, std::string& answer) { answer += piece(item, answer) ? 'y' : 'n'; },
+                 prepared(examiner)) {
+    if (!workers_.open_because().empty())
+      std::fprintf(stderr, "blossom-grade: the grader is not wholly closed off: %s\n",
+                   printable(workers_.open_because()).c_str());
+  }
+
+  // The names are those of the items, in order. Throws std::runtime_error where an item ends the process: what it had
+  // gathered is lost with it.
+  void run(const std::vector<std::string>& names, const Workers::Next& next,
+           const std::function<void(std::string_view piece, bool readable)>& take) {
+    std::size_t at = 0;
+    workers_.run(next, [&](std::string_view, std::string_view answer, const Lost* lost) {
+      const std::size_t item = at++;
+      if (lost != nullptr) throw std::runtime_error((item < names.size() ? names[item] + ": " : "") + lost->text);
+      take(answer.substr(0, answer.size() - 1), answer.back() == 'y');
+    });
+  }
+
+ private:
+  static WorkerOptions prepared(Examiner& examiner) {
+    prepare_for_workers(examiner);
+    WorkerOptions options;
+    options.processes = 1;
+    return options;
+  }
+
+  Workers workers_;
+};
+
+// An item is the number of a file and what it holds; the last one is empty and asks for the report's end.
 int grade_files(Examiner& examiner, const Given& given, const ReportFormat& format) {
   const auto report = format.open({&examiner.assignment(), given.answers.size(), false});
   Output out(given.out);
-  bool all_read = true;
   report->begin(out.text);
-  for (const std::string& file : given.answers) {
-    const auto result = grade_file(examiner, file);
-    if (!result) return complain(result.diagnostics);
-    all_read = all_read && is_readable(*result);
-    report->add(*result, out.text);
-    if (!out.pass_on()) break;
-  }
-  report->finish(out.text);
+  Closed closed(examiner, [&](std::string_view item, std::string& piece) {
+    if (item.empty()) {
+      report->finish(piece);
+      return true;
+    }
+    ByteReader in(item);
+    const std::string& file = given.answers[in.number<std::uint64_t>()];
+    const bool has_text = in.number<char>() != 0;
+    std::string text(in.text());
+    const StudentResult result =
+        grade_file(examiner, file,
+                   has_text ? Checked<std::string>(std::move(text)) : Diagnostics{{file_title(file), 0, 0, "", text}});
+    report->add(result, piece);
+    return is_readable(result);
+  });
+  bool all_read = true, listened_to = true;
+  std::size_t next = 0;
+  const auto read = [&](std::string& item) {
+    item.clear();
+    if (next > given.answers.size() || !listened_to) return false;
+    if (next < given.answers.size()) {
+      const auto text = read_text(given.answers[next], submission_limits.bytes);
+      ByteWriter writer(item);
+      writer.number(static_cast<std::uint64_t>(next));
+      writer.number(static_cast<char>(text ? 1 : 0));
+      writer.text(text ? *text : text.diagnostics.front().message);
+    }
+    ++next;
+    return true;
+  };
+  closed.run(given.answers, read, [&](std::string_view piece, bool readable) {
+    all_read = all_read && readable;
+    out.text += piece;
+    listened_to = listened_to && out.pass_on();
+  });
   const int status = out.close();
   return status != done ? status : all_read ? done : input_at_fault;
 }
@@ -155,15 +232,44 @@ int grade_one_student(Examiner& examiner, const Given& given, const ReportFormat
                       const SubmissionMetadata& who) {
   HandedIn handed_in = read_handed_in(given.answers);
   for (Submission& submission : handed_in.submissions) submission.submitted = who.submitted;
-  StudentResult result = grade_student(examiner, who.student, std::move(handed_in.submissions));
-  for (Incident& refused : handed_in.refused) result.incidents.push_back(std::move(refused));
-  const auto report = format.open({&examiner.assignment(), 1, true});
+  Closed closed(examiner, [&](std::string_view, std::string& piece) {
+    StudentResult result = grade_student(examiner, who.student, handed_in.submissions);
+    result.incidents.insert(result.incidents.end(), handed_in.refused.begin(), handed_in.refused.end());
+    const auto report = format.open({&examiner.assignment(), 1, true});
+    report->begin(piece);
+    report->add(result, piece);
+    report->finish(piece);
+    return is_readable(result);
+  });
   Output out(given.out);
-  report->begin(out.text);
-  report->add(result, out.text);
-  report->finish(out.text);
+  bool all_read = true, asked = false;
+  closed.run(
+      {who.student.id}, [&](std::string&) { return !std::exchange(asked, true); },
+      [&](std::string_view piece, bool readable) {
+        out.text = piece;
+        all_read = readable;
+      });
   const int status = out.close();
-  return status != done ? status : is_readable(result) ? done : input_at_fault;
+  return status != done ? status : all_read ? done : input_at_fault;
+}
+
+[[noreturn]] void ask_for_student(const std::string& why) {
+  throw CLI::ValidationError(why +
+                             "; say whose answers they are with --student ID or --metadata, or grade a class "
+                             "with `blossom-grade batch`");
+}
+
+void refuse_folders(const std::vector<std::string>& paths) {
+  std::error_code ignored;
+  for (const std::string& path : paths)
+    if (path != "-" && std::filesystem::is_directory(path, ignored))
+      ask_for_student(printable(path) + " is a folder, which is graded as one student's");
+}
+
+void refuse_variants(const Examiner& examiner) {
+  for (std::size_t i = 0; i < examiner.assignment().items.size(); ++i)
+    if (examiner.varies(i))
+      ask_for_student(examiner.assignment().items[i].exercise.id + " has numbers of each student's own");
 }
 
 int grade_all(const Given& given) {
@@ -173,6 +279,7 @@ int grade_all(const Given& given) {
   if (!one_student && given.answers.size() > 1 && format.scope == ReportFormat::Scope::student)
     throw CLI::ValidationError("--format " + given.format +
                                " is for one student; give one file, or say whose they are with --student");
+  if (!one_student) refuse_folders(given.answers);
   auto assignment = load_assignment(given.exercise);
   if (!assignment) return complain(assignment.diagnostics);
   std::string secret;
@@ -192,13 +299,11 @@ int grade_all(const Given& given) {
   if (!given.student.empty()) who.student.id = given.student;
   if (!given.submitted.empty()) who.submitted = parse_time(given.submitted);
   Examiner examiner(std::move(*assignment), std::move(secret), read_now(given.now));
+  if (!one_student) refuse_variants(examiner);
   return one_student ? grade_one_student(examiner, given, format, who) : grade_files(examiner, given, format);
 }
 
-std::string is_time(const std::string& text) {
-  return parse_time(text) ? std::string()
-                          : "must be a time with its offset, such as 2026-10-01T23:59:00+02:00, not " + excerpt(text);
-}
+std::string is_time(const std::string& text) { return parse_time(text) ? std::string() : time_problem(text); }
 
 void set_up(CLI::App& app, int& status) {
   auto given = std::make_shared<Given>();
@@ -218,7 +323,7 @@ void set_up(CLI::App& app, int& status) {
       ->required()
       ->option_text("ANSWERS...");
   app.add_option("-f,--format", given->format, formats_help)
-      ->check(CLI::IsMember(formats))
+      ->check(is_one_of(formats))
       ->option_text("FORMAT (default: text)");
   app.add_option("-o,--out", given->out, "the file to write, instead of standard output")->option_text("FILE");
   app.add_option("--student", given->student, "all answers are this student's")->option_text("ID");

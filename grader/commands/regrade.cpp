@@ -23,7 +23,9 @@ Exit status: 0 graded, changes or not; 1 an input is at fault; 2 wrong usage; 3 
 void tell(const Change& change) {
   const std::string was = change.was.empty() ? "nothing" : change.was,
                     now = change.now.empty() ? "nothing" : change.now;
-  if (change.exercise.empty())
+  if (change.exercise.empty() && was == now)
+    std::printf("%s: %s as before", printable(change.student).c_str(), now.c_str());
+  else if (change.exercise.empty())
     std::printf("%s: %s -> %s", printable(change.student).c_str(), was.c_str(), now.c_str());
   else
     std::printf("  %s%s%s: %s -> %s", change.exercise.c_str(), change.part.empty() ? "" : " ", change.part.c_str(),
@@ -45,6 +47,10 @@ int regrade(const std::string& old_results, BatchWords words) {
     return wrong_usage;
   }
   const BatchOptions options = words.options();
+  if (const auto other = other_secret(old_folder, options); !other.empty()) {
+    std::fputs(to_string(other).c_str(), stderr);
+    return input_at_fault;
+  }
   if (!run_and_tell(options)) return input_at_fault;
 
   std::puts("\nWhat has changed:");
@@ -68,16 +74,18 @@ int regrade(const std::string& old_results, BatchWords words) {
   }
   move_file(unfinished, options.out / "changes.csv");
   if (told > most_told) std::printf("... and %s more\n", counted(told - most_told, "student", "students").c_str());
-  std::printf("%s of %llu: %llu have more points, %llu fewer, %llu the same from other parts",
+  std::printf("%s of %llu: %llu with more points, %llu with fewer",
               counted(changes->better + changes->worse + changes->otherwise, "student", "students").c_str(),
               static_cast<unsigned long long>(changes->students), static_cast<unsigned long long>(changes->better),
-              static_cast<unsigned long long>(changes->worse), static_cast<unsigned long long>(changes->otherwise));
+              static_cast<unsigned long long>(changes->worse));
+  if (changes->otherwise > 0)
+    std::printf(", %llu with as many as before, for other values", static_cast<unsigned long long>(changes->otherwise));
   if (changes->come + changes->gone > 0)
     std::printf("; %llu are new, %llu gone", static_cast<unsigned long long>(changes->come),
                 static_cast<unsigned long long>(changes->gone));
   std::printf("; mean score %.1f %% -> %.1f %%\n", 100 * changes->mean_was, 100 * changes->mean_now);
   std::printf("  %s/changes.csv: all changes\n", printable(options.out.string()).c_str());
-  return done;
+  return done_if_told();
 }
 
 void set_up(CLI::App& app, int& status) {

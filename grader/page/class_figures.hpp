@@ -32,18 +32,20 @@ class Correlation {
 
 struct ItemFigures {
   std::string exercise, value;
+  const Algorithm* algorithm = nullptr;  // null: its names are shown as they are typed
   std::array<std::uint64_t, verdict_count> verdicts{};
   Correlation with_rest;  // share of points, with the share of all other points
 };
 
 struct Example {
-  std::string student, page, value, answer, told;
+  std::string student, page, exercise, value, answer, told;
+  const Algorithm* algorithm = nullptr;
 };
 
 struct MistakeFigures {
   std::uint64_t values = 0;    // that show it
   std::uint64_t students = 0;  // with at least one such value, or whose whole answer it explains
-  std::uint64_t explains = 0;  // whole answers
+  std::uint64_t explains = 0;  // submissions in which nothing is wrong but by it, alone or with one more
   Example example;
 };
 
@@ -61,17 +63,26 @@ struct StudentRow {
   int days_late = 0;
 };
 
-// Who gave the same wrong answers. 16 bytes a submission, and the ID.
+// Who gave the same answers: the same wrong ones or, where the numbers vary, the same ones at all. 16 bytes a
+// submission, and the ID.
 class Fingerprints {
  public:
-  void add(std::uint64_t hash, std::size_t exercise, bool varies, std::string_view id, std::string_view page);
+  struct Answers {
+    std::uint64_t hash = 0;
+    std::size_t exercise = 0;
+    bool varies = false;
+    bool right = false;  // all of them, for this student's numbers
+  };
+  void add(const Answers&, std::string_view id, std::string_view page);
   struct Group {
     std::size_t exercise = 0;
     bool varies = false;
     std::uint64_t size = 0;
-    std::vector<std::pair<std::string, std::string>> students;  // ID and page, the first few
+    std::uint64_t right = 0;                                    // for whose numbers they are right
+    std::vector<std::pair<std::string, std::string>> students;  // ID and page, the first few; those of `right` lead
   };
-  // Groups of at least two and, where everybody has the same numbers, few enough to be no accident of the exercise.
+  // Groups of at least two, not all of them right, and, where everybody has the same numbers, few enough to be no
+  // accident of the exercise.
   std::vector<Group> groups(const std::vector<std::uint64_t>& handed_in);
   bool complete() const { return complete_; }
 
@@ -79,7 +90,7 @@ class Fingerprints {
   struct Entry {
     std::uint64_t hash;
     std::uint32_t id_at;
-    std::uint16_t exercise;  // the highest bit: its numbers vary
+    std::uint16_t exercise;  // the highest bits: its numbers vary; the answers are right
     std::uint16_t page;      // how the page follows from the ID
   };
   static_assert(sizeof(Entry) == 16);
@@ -110,6 +121,9 @@ struct ClassFigures {
 
   double quantile(double share) const;  // of the scores, to a thousandth
 };
+
+// "not readable" for an incident's kind.
+std::string incident_words(std::string_view kind);
 
 // "the weights are swapped" for a misconception's id, or what a note's word means.
 std::string mistake_title(std::string_view word);

@@ -120,10 +120,16 @@ std::string verdict_counts(const ItemFigures& item) {
   return text;
 }
 
+// As the student's page has it; the name that is typed is its title.
+std::string value_name(const std::string& name, const Algorithm* algorithm) {
+  return "<span class=\"value\" title=\"" + html_escape(name) + "\">" +
+         (algorithm != nullptr ? math_html(name, *algorithm) : "<code>" + html_escape(name) + "</code>") + "</span>";
+}
+
 std::string item_name(const ClassFigures& figures, const ItemFigures& item) {
-  return "<th scope=\"row\"><code>" + html_escape(item.value) + "</code>" +
-         (figures.exercises.size() > 1 ? "<span class=\"quiet\"> " + html_escape(item.exercise) + "</span>" : "") +
-         "</th>";
+  return "<th scope=\"row\">" + value_name(item.value, item.algorithm) + "<span class=\"quiet\"> " +
+         (item.algorithm != nullptr ? "<code>" + html_escape(item.value) + "</code> " : "") +
+         (figures.exercises.size() > 1 ? html_escape(item.exercise) : "") + "</span></th>";
 }
 
 std::string hardest(const ClassFigures& figures) {
@@ -140,7 +146,7 @@ std::string hardest(const ClassFigures& figures) {
       verdict_heads() + "</tr></thead><tbody>\n";
   for (const ItemFigures* item : items)
     out += "<tr>" + item_name(figures, *item) + "<td class=\"number\">" + percent_text(item->with_rest.mean_x()) +
-           "</td><td>" + verdict_bar(*item) + "</td>" + verdict_counts(*item) + "</tr>\n";
+           "</td><td class=\"wide\">" + verdict_bar(*item) + "</td>" + verdict_counts(*item) + "</tr>\n";
   return out + "</tbody></table></div>\n";
 }
 
@@ -184,25 +190,32 @@ std::string mistakes(const ClassFigures& figures) {
   std::uint64_t most = 1;
   for (const auto& [word, counted] : all) most = std::max(most, counted->students);
   std::string out =
-      "<div class=\"scroll\"><table class=\"mistakes\"><thead><tr><th scope=\"col\">Mistake</th><th "
+      "<p class=\"note\">Explained is a submission if all that is wrong in it comes of this mistake, alone or with one "
+      "other; slips count as mistakes, too.</p>\n<div class=\"scroll\"><table class=\"mistakes\"><thead><tr><th "
+      "scope=\"col\">Mistake</th><th "
       "scope=\"col\" class=\"number\">Students</th><th scope=\"col\" class=\"medium\"></th><th scope=\"col\" "
-      "class=\"number\">Values</th><th scope=\"col\" class=\"number\">Explains whole "
-      "answers</th><th scope=\"col\">For example</th></tr></thead><tbody>\n";
+      "class=\"number\">Values</th><th scope=\"col\" class=\"number\">Submissions "
+      "explained</th><th scope=\"col\">For example</th></tr></thead><tbody>\n";
   for (std::size_t i = 0; i < std::min(all.size(), most_mistake_rows); ++i) {
     const auto& [word, counted] = all[i];
     const Example& example = counted->example;
     out += "<tr><th scope=\"row\">" + html_escape(mistake_title(word)) + "<span class=\"quiet\"> " + html_escape(word) +
-           "</span></th><td class=\"number\">" + count_text(counted->students) +
-           "</td><td><svg class=\"verdicts\" viewBox=\"0 0 300 20\" preserveAspectRatio=\"none\" "
+           "</span></th><td class=\"number\" data-label=\"Students\">" + count_text(counted->students) +
+           "</td><td class=\"medium\"><svg class=\"verdicts\" viewBox=\"0 0 300 20\" preserveAspectRatio=\"none\" "
            "aria-hidden=\"true\"><rect "
            "class=\"bar\" x=\"0\" y=\"3\" height=\"14\" width=\"" +
            format_short(300 * static_cast<double>(counted->students) / static_cast<double>(most), 1) +
-           "\"/></svg></td><td class=\"number\">" + count_text(counted->values) + "</td><td class=\"number\">" +
-           count_text(counted->explains) + "</td><td class=\"example\">";
+           "\"/></svg></td><td class=\"number\" data-label=\"Values\">" + count_text(counted->values) +
+           "</td><td class=\"number\" data-label=\"Submissions explained\">" + count_text(counted->explains) +
+           "</td><td class=\"example\">";
     if (!example.student.empty()) {
-      out += link(example.page, example.student) + ": <code>" + html_escape(example.value) +
-             "</code> = " + html_escape(example.answer);
-      if (!example.told.empty()) out += "<span class=\"quiet\"> " + html_escape(example.told) + "</span>";
+      out += link(example.page, example.student) + ", " + html_escape(example.exercise) + ": " +
+             value_name(example.value, example.algorithm) + " = " + html_escape(example.answer);
+      if (!example.told.empty())
+        out +=
+            "<span class=\"quiet\"> " +
+            (example.algorithm != nullptr ? math_html(example.told, *example.algorithm) : html_escape(example.told)) +
+            "</span>";
     }
     out += "</td></tr>\n";
   }
@@ -215,32 +228,46 @@ std::string worth_list(const WorthList& list, std::string_view title) {
   if (list.count == 0) return {};
   std::string out = "<h3>" + std::string(title) + " (" + count_text(list.count) + ")</h3>\n<ul class=\"worth\">\n";
   for (const Worth& worth : list.first)
-    out += "<li>" + link(worth.page, worth.student) +
+    out += "<li>" + (worth.student.empty() ? "Nobody's" : link(worth.page, worth.student)) +
            (worth.exercise.empty() ? "" : " · " + html_escape(worth.exercise)) + ": " + html_escape(worth.why) +
            "</li>\n";
   out += "</ul>\n";
   if (list.count > list.first.size())
     out += "<p class=\"note\">And " + count_text(list.count - list.first.size()) +
-           " more; results.jsonl has them all.</p>\n";
+           " more; results.jsonl and incidents.csv have them all.</p>\n";
   return out;
+}
+
+// The students from `begin` on: "s1, s2, …".
+std::string names(const Fingerprints::Group& group, std::size_t begin, std::size_t end) {
+  std::string out;
+  for (std::size_t i = begin; i < std::min(end, group.students.size()); ++i)
+    out += (i > begin ? ", " : "") + link(group.students[i].second, group.students[i].first);
+  return out + (end > group.students.size() ? ", …" : "");
+}
+
+std::string alike(const ClassFigures& figures, const Fingerprints::Group& group) {
+  const std::string exercise = html_escape(figures.exercises[group.exercise]);
+  // Whose numbers fit may fill the whole list: then the count alone says that there are others.
+  if (group.right > 0 && group.right < group.students.size()) {
+    const std::string source = names(group, 0, group.right);
+    return exercise + ": <strong>the answers of " + names(group, group.right, group.size) + " are those of " + source +
+           "</strong>, which are right for " + (group.right == 1 ? source + "'s numbers" : "their numbers");
+  }
+  return exercise + ", " + counted(group.size, "student", "students") +
+         (group.varies ? ", <strong>with different numbers</strong>" : "") + ": " + names(group, 0, group.size);
 }
 
 std::string worth_a_look(ClassFigures& figures) {
   std::string out;
   const auto groups = figures.fingerprints.groups(figures.handed_in);
   if (!groups.empty()) {
-    out += "<h3>The same wrong answers (" + count_text(groups.size()) +
-           ")</h3>\n<p class=\"note\">Several values, all wrong and all alike, that no known mistake explains. Where "
-           "everybody has numbers of their own, one answer cannot follow from two exercises. That is a reason to look, "
-           "not a proof.</p>\n<ul class=\"worth\">\n";
-    for (const auto& group : groups) {
-      out += "<li>" + html_escape(figures.exercises[group.exercise]) + ", " +
-             counted(group.size, "student", "students") +
-             (group.varies ? ", <strong>with different numbers</strong>" : "") + ": ";
-      for (std::size_t i = 0; i < group.students.size(); ++i)
-        out += (i > 0 ? ", " : "") + link(group.students[i].second, group.students[i].first);
-      out += (group.size > group.students.size() ? ", …" : "") + std::string("</li>\n");
-    }
+    out +=
+        "<h3>The same answers (" + count_text(groups.size()) +
+        ")</h3>\n<p class=\"note\">Several values, all wrong and all alike, that no known mistake explains; or, where "
+        "everybody has numbers of their own, all answers alike, though they cannot follow from two exercises. That "
+        "is a reason to look, not a proof.</p>\n<ul class=\"worth\">\n";
+    for (const auto& group : groups) out += "<li>" + alike(figures, group) + "</li>\n";
     out += "</ul>\n";
   }
   if (!figures.fingerprints.complete())
@@ -269,8 +296,10 @@ std::string table(const std::vector<StudentRow>& rows, std::string_view up) {
 std::string incident_counts(const ClassFigures& figures) {
   std::string out;
   for (const auto& [kind, n] : figures.incidents)
-    out += (out.empty() ? "" : ", ") + html_escape(kind) + " " + count_text(n);
-  return out.empty() ? out : "<p class=\"note\">Incidents: " + out + ".</p>\n";
+    out += (out.empty() ? "" : ", ") + count_text(n) + " " + html_escape(incident_words(kind));
+  return out.empty() ? out
+                     : "<p class=\"note\">Incidents: " + out +
+                           ". Each with its file is in <a href=\"incidents.csv\">incidents.csv</a>.</p>\n";
 }
 
 std::string figure(std::string_view name, const std::string& value) {

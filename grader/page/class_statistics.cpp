@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <set>
+#include <tuple>
 
 #include "grader/page/class_figures.hpp"
 #include "grader/page/class_page.hpp"
@@ -110,7 +111,11 @@ double ClassFigures::quantile(double share) const {
 }
 
 struct ClassStatistics::Figures {
-  Figures(std::string title, Write writer) : write(std::move(writer)) { figures.title = std::move(title); }
+  Figures(std::string title, Write writer, const Assignment* assignment) : write(std::move(writer)) {
+    figures.title = std::move(title);
+    if (assignment == nullptr) return;
+    for (const Assignment::Item& item : assignment->items) algorithms[item.exercise.id] = item.exercise.run.algorithm;
+  }
 
   ClassFigures figures;
   Write write;
@@ -118,6 +123,7 @@ struct ClassStatistics::Figures {
   std::size_t pages = 0;
   std::map<std::pair<std::size_t, std::string>, std::size_t> item_of;
   std::map<std::string, std::size_t> exercise_of;
+  std::map<std::string, const Algorithm*> algorithms;  // by exercise
 
   struct Share {
     std::size_t item;
@@ -133,6 +139,11 @@ struct ClassStatistics::Figures {
     return at->second;
   }
 
+  const Algorithm* algorithm(const std::string& exercise) const {
+    const auto found = algorithms.find(exercise);
+    return found == algorithms.end() ? nullptr : found->second;
+  }
+
   std::optional<std::size_t> item(std::size_t exercise, const std::string& value) {
     const auto found = item_of.find({exercise, value});
     if (found != item_of.end()) return found->second;
@@ -141,7 +152,8 @@ struct ClassStatistics::Figures {
       return std::nullopt;
     }
     item_of[{exercise, value}] = figures.items.size();
-    figures.items.push_back({figures.exercises[exercise], value, {}, {}});
+    const std::string& id = figures.exercises[exercise];
+    figures.items.push_back({id, value, algorithm(id), {}, {}});
     return figures.items.size() - 1;
   }
 
@@ -165,6 +177,8 @@ struct ClassStatistics::Figures {
     const bool varies = flag_of(made, "varies");
     std::vector<std::string> alike;
     std::size_t answered = 0, wrong = 0;
+    bool all_right = true;
+    std::set<std::string> reasons;  // of what is wrong
     for (const Json& part : items_of(*grade, "parts")) {
       const auto verdict = verdict_of(part);
       if (!verdict) continue;
@@ -178,19 +192,24 @@ struct ClassStatistics::Figures {
       }
       if (!reason.empty()) continue;
       answered += answer != nullptr ? 1 : 0;
-      wrong += *verdict == Verdict::wrong || *verdict == Verdict::slip || *verdict == Verdict::misconception ? 1 : 0;
+      if (*verdict == Verdict::wrong || *verdict == Verdict::slip || *verdict == Verdict::misconception) {
+        ++wrong;
+        reasons.insert(misconception.empty() ? note : misconception);
+      }
       count_mistake(misconception.empty() ? note : misconception, row, text_of(made, "exercise"), part, answer, shown);
       const bool own_mistake = *verdict == Verdict::wrong || (*verdict == Verdict::slip && misconception.empty());
-      if (answer != nullptr && (varies ? *verdict != Verdict::correct : own_mistake))
-        alike.push_back(value + " = " + flat(*answer));
+      if (answer == nullptr) continue;
+      all_right = all_right && *verdict == Verdict::correct;
+      // Where everybody has the same numbers, right answers are the same.
+      if (varies || own_mistake) alike.push_back(value + " = " + flat(*answer));
     }
-    explain(*grade, row, text_of(made, "exercise"), answered, wrong, shown);
+    explain(*grade, row, text_of(made, "exercise"), answered, wrong, reasons, shown);
     if (alike.size() < (varies ? 2u : 3u)) return;
     std::ranges::sort(alike);
     Hash hash;
     hash.add(text_of(made, "exercise"));
     for (const std::string& each : alike) hash.add(each);
-    figures.fingerprints.add(hash.value(), at, varies, row.id, row.page);
+    figures.fingerprints.add({hash.value(), at, varies, all_right}, row.id, row.page);
   }
 
   void count_mistake(const std::string& word, const StudentRow& row, const std::string& exercise, const Json& part,
@@ -204,19 +223,28 @@ struct ClassStatistics::Figures {
     // Of what the student was told, the right value: the advice is the same for everybody.
     const std::string told = text_of(part, "feedback");
     const std::size_t right = told.find("Right is ");
-    counted->example = {cut(row.id), row.page, exercise + ": " + text_of(part, "value"), cut(flat(*answer)),
-                        right == std::string::npos ? std::string() : cut(told.substr(right))};
+    counted->example = {cut(row.id),        row.page,
+                        exercise,           text_of(part, "value"),
+                        cut(flat(*answer)), right == std::string::npos ? std::string() : cut(told.substr(right)),
+                        algorithm(exercise)};
   }
 
   void explain(const Json& grade, const StudentRow& row, const std::string& exercise, std::size_t answered,
-               std::size_t wrong, std::set<std::string>& shown) {
+               std::size_t wrong, const std::set<std::string>& reasons, std::set<std::string>& shown) {
+    // One slip, or several of one kind, is an explanation, too.
+    static const std::set<std::string, std::less<>> no_reason{"", "unknown", "trivial"};
+    if (reasons.size() == 1 && !no_reason.contains(*reasons.begin())) {
+      if (MistakeFigures* counted = mistake(*reasons.begin())) ++counted->explains;
+      return;
+    }
     const Json* explanation = grade.find("explanation");
     if (explanation == nullptr) return;
     const auto& held = items_of(*explanation, "misconceptions");
+    const bool covers = number_of(*explanation, "covered") >= number_of(*explanation, "wrong");
     for (const Json& id : held) {
       MistakeFigures* counted = mistake(id.text);
       if (counted == nullptr) continue;
-      ++counted->explains;
+      counted->explains += covers ? 1 : 0;
       if (shown.insert(id.text).second) ++counted->students;
     }
     if (held.empty() && wrong >= 3 && 5 * wrong >= 4 * answered)
@@ -241,12 +269,16 @@ struct ClassStatistics::Figures {
       const std::string kind = text_of(incident, "kind");
       ++figures.incidents[kind];
       kinds.insert(kind);
-      if (kind == "unreadable" || kind == "failed" || kind == "foreign-id")
-        look_at(figures.unread,
-                {row.id, row.page, text_of(incident, "exercise"), cut(kind + ": " + text_of(incident, "text"))});
+      if (kind == "late" || kind == "missing" || kind == "duplicate") continue;  // ordinary, and counted
+      look_at(figures.unread, {row.id, row.page, text_of(incident, "exercise"),
+                               told(kind, text_of(incident, "source"), text_of(incident, "text"))});
     }
     if (kinds.contains("late")) ++figures.late;
-    for (const std::string& kind : kinds) row.flags += (row.flags.empty() ? "" : ", ") + kind;
+    for (const std::string& kind : kinds) row.flags += (row.flags.empty() ? "" : ", ") + incident_words(kind);
+  }
+
+  static std::string told(std::string_view kind, std::string_view source, std::string_view text) {
+    return incident_words(kind) + (source.empty() ? "" : ", " + cut(printable(source))) + ": " + cut(std::string(text));
   }
 
   void flush(bool is_last) {
@@ -256,8 +288,8 @@ struct ClassStatistics::Figures {
   }
 };
 
-ClassStatistics::ClassStatistics(std::string title, Write write)
-    : figures_(std::make_unique<Figures>(std::move(title), std::move(write))) {}
+ClassStatistics::ClassStatistics(std::string title, Write write, const Assignment* assignment)
+    : figures_(std::make_unique<Figures>(std::move(title), std::move(write), assignment)) {}
 ClassStatistics::~ClassStatistics() = default;
 
 void ClassStatistics::add(const Json& result, std::string_view page) {
@@ -297,6 +329,13 @@ void ClassStatistics::add(const Json& result, std::string_view page) {
   f.rows.push_back(std::move(row));
 }
 
+void ClassStatistics::add_stray(std::string_view kind, std::string_view who, std::string_view source,
+                                std::string_view text) {
+  ClassFigures& all = figures_->figures;
+  ++all.incidents[std::string(kind)];
+  figures_->look_at(all.unread, {cut(printable(who)), {}, {}, Figures::told(kind, source, text)});
+}
+
 void ClassStatistics::finish() {
   Figures& f = *figures_;
   if (f.pages > 0 && !f.rows.empty()) f.flush(true);
@@ -305,7 +344,7 @@ void ClassStatistics::finish() {
 
 std::string ClassStatistics::json() const { return class_json(figures_->figures); }
 
-// ---- identical wrong answers ----------------------------------------------------------------------------------------
+// ---- identical answers ----------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -315,20 +354,20 @@ constexpr std::size_t most_patterns = 0xFFFF;
 constexpr std::size_t most_groups = 100;
 constexpr std::size_t most_named = 12;  // of a group
 constexpr std::uint16_t varies_bit = 0x8000;
+constexpr std::uint16_t right_bit = 0x4000;
 
 }  // namespace
 
-void Fingerprints::add(std::uint64_t hash, std::size_t exercise, bool varies, std::string_view id,
-                       std::string_view page) {
-  if (entries_.size() == most_entries || ids_.size() + id.size() >= most_id_bytes || exercise >= varies_bit) {
+void Fingerprints::add(const Answers& answers, std::string_view id, std::string_view page) {
+  if (entries_.size() == most_entries || ids_.size() + id.size() >= most_id_bytes || answers.exercise >= right_bit) {
     complete_ = false;
     return;
   }
   const auto at = static_cast<std::uint32_t>(ids_.size());
   ids_ += id;
   ids_ += '\0';
-  entries_.push_back(
-      {hash, at, static_cast<std::uint16_t>(exercise | (varies ? varies_bit : 0u)), pattern_of(id, page)});
+  const unsigned bits = (answers.varies ? varies_bit : 0u) | (answers.right ? right_bit : 0u);
+  entries_.push_back({answers.hash, at, static_cast<std::uint16_t>(answers.exercise | bits), pattern_of(id, page)});
 }
 
 std::uint16_t Fingerprints::pattern_of(std::string_view id, std::string_view page) {
@@ -349,20 +388,24 @@ std::string Fingerprints::page_of(const Entry& entry) const {
 }
 
 std::vector<Fingerprints::Group> Fingerprints::groups(const std::vector<std::uint64_t>& handed_in) {
-  std::ranges::sort(
-      entries_, [](const Entry& a, const Entry& b) { return a.hash != b.hash ? a.hash < b.hash : a.id_at < b.id_at; });
+  const auto is_right = [](const Entry& entry) { return (entry.exercise & right_bit) != 0; };
+  std::ranges::sort(entries_, [&](const Entry& a, const Entry& b) {
+    return std::tuple(a.hash, !is_right(a), a.id_at) < std::tuple(b.hash, !is_right(b), b.id_at);
+  });
   std::vector<Group> groups;
   std::vector<std::uint32_t> order;  // of each group: where its first student stands in the class
   for (std::size_t i = 0; i < entries_.size();) {
     std::size_t end = i + 1;
     while (end < entries_.size() && entries_[end].hash == entries_[i].hash) ++end;
-    const std::size_t exercise = entries_[i].exercise & static_cast<std::uint16_t>(~varies_bit);
+    const std::size_t exercise = entries_[i].exercise & static_cast<std::uint16_t>(right_bit - 1);
     const bool varies = (entries_[i].exercise & varies_bit) != 0;
     const std::size_t size = end - i;
+    std::size_t right = 0;
+    while (right < size && is_right(entries_[i + right])) ++right;
     // Where the numbers are everybody's, what more than 2 % have in common is a mistake that the exercise invites.
     const std::size_t rare = std::max<std::size_t>(3, static_cast<std::size_t>(handed_in[exercise] / 50));
-    if (size > 1 && (varies || size <= rare)) {
-      Group group{exercise, varies, size, {}};
+    if (size > 1 && right < size && (varies || size <= rare)) {
+      Group group{exercise, varies, size, right, {}};
       for (std::size_t j = i; j < std::min(end, i + most_named); ++j)
         group.students.emplace_back(id_of(entries_[j]), page_of(entries_[j]));
       const auto at = std::ranges::upper_bound(order, entries_[i].id_at) - order.begin();
@@ -380,6 +423,20 @@ std::vector<Fingerprints::Group> Fingerprints::groups(const std::vector<std::uin
 
 // ---- words ----------------------------------------------------------------------------------------------------------
 
+std::string incident_words(std::string_view kind) {
+  static const std::map<std::string_view, std::string_view> titles{{"late", "late"},
+                                                                   {"missing", "nothing handed in"},
+                                                                   {"duplicate", "handed in more than once"},
+                                                                   {"unreadable", "not readable"},
+                                                                   {"misplaced", "for no exercise of this assignment"},
+                                                                   {"foreign-id", "names another author"},
+                                                                   {"unlisted", "from nobody on the roster"},
+                                                                   {"failed", "the grader failed"},
+                                                                   {"refused", "not read from its archive or folder"}};
+  const auto found = titles.find(kind);
+  return std::string(found == titles.end() ? kind : found->second);
+}
+
 std::string mistake_title(std::string_view word) {
   for (const Algorithm* algorithm : algorithms())
     for (const Misconception& m : algorithm->misconceptions)
@@ -390,7 +447,9 @@ std::string mistake_title(std::string_view word) {
       {"coordinates", "coordinates are exchanged"},
       {"digits", "digits are transposed"},
       {"arithmetic", "a slip of arithmetic: one number is off where the rule was right"},
+      {"rounded", "rounded: the right value in fewer digits than are asked"},
       {"trivial", "earlier values leave nothing to compute"},
+      {"letter-case", "no answer: its name is typed with other capital or small letters"},
       {"unknown", "wrong for no known reason"}};
   const auto found = notes.find(word);
   return std::string(found == notes.end() ? word : found->second);

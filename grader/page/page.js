@@ -125,7 +125,10 @@
       const width = point.n.reduce((sum, [text, level], n) =>
         level === 0 ? sum + size * 0.62 * text.length : stacked && n === 1 ? sum : sum + size * 0.42 * text.length, 0) + 2;
       const distance = role === "label strong" ? 11 : 8;
-      const spots = [[1, -1], [-1, -1], [1, 1], [-1, 1], [0, -1.5], [0, 1.5], [1.4, 0], [-1.4, 0]].map(([dx, dy]) => {
+      // Around the point, and where that is taken, farther off.
+      const around = [[1, -1], [-1, -1], [1, 1], [-1, 1], [0, -1.5], [0, 1.5], [1.4, 0], [-1.4, 0]];
+      const far = must ? [1, 1.9, 3] : [1];
+      const spots = far.flatMap((f) => around.map(([dx, dy]) => [dx * f, dy * f])).map(([dx, dy]) => {
         const x = dx > 0 ? p.x + distance * dx : dx < 0 ? p.x - width + distance * dx : p.x - width / 2;
         const y = p.y + (dy > 0 ? size + distance * dy * 0.6 : dy < 0 ? distance * dy * 0.9 : size * 0.35);
         return [x, y - size, x + width, y + 4, x, y];
@@ -138,7 +141,8 @@
         const cost = meets(spot) * 10 + crossings(spot) + (inside(spot) ? 0 : 100);
         if (cost < least) { best = spot; least = cost; }
       }
-      if (!must && least >= 10) return;
+      // Two names at one place can be read less than none.
+      if (least >= (role === "label current" ? 100 : 10)) return;
       this.taken.push(best);
       const text = svgElement("text", { x: best[4].toFixed(1), y: best[5].toFixed(1), class: role, "font-size": size }, this.svg);
       let lift = 0, back = 0;
@@ -238,7 +242,8 @@
         const v = +cell.dataset.v;
         cell.classList.toggle("now", v === made);
         cell.classList.toggle("from", from.includes(v));
-        cell.classList.toggle("later", this.comesLater(v));
+        // At first the whole scheme is there to be read.
+        cell.classList.toggle("later", this.step > 0 && this.comesLater(v));
       }
       for (const picture of this.pictures) picture.draw(this.step);
     }
@@ -268,7 +273,18 @@
   // The table is there for print and for whoever has no script; here it can wait.
   const details = [...document.querySelectorAll("details.all")];
   for (const each of details) each.open = false;
+  // On paper the pictures are those of the whole run.
   addEventListener("beforeprint", () => {
     for (const each of document.querySelectorAll("details")) each.open = true;
+    for (const player of players) {
+      player.left ??= player.step;
+      player.go("last");
+    }
+  });
+  addEventListener("afterprint", () => {
+    for (const player of players) {
+      player.show(player.left ?? player.step);
+      player.left = undefined;
+    }
   });
 })();

@@ -20,8 +20,10 @@ class StudentPage {
     const std::string& title = result_.assignment->title;
     out_ = page_head(title + " – " + who(), assets::page_css);
     out_ += "<header>\n<div>\n<h1>" + html_escape(title) + "</h1>\n<p class=\"who\">" + html_escape(who());
-    if (!result_.student.section.empty()) out_ += " · " + html_escape(result_.student.section);
-    out_ += "</p>\n</div>\n<p class=\"score\"><strong>" + number_text(result_.points) + "</strong> of " +
+    if (!result_.student.section.empty()) out_ += " · section " + html_escape(result_.student.section);
+    out_ += "</p>\n";
+    dates();
+    out_ += "</div>\n<p class=\"score\"><strong>" + number_text(result_.points) + "</strong> of " +
             number_text(result_.max_points) + " points<span>" + percent_text(result_.score()) +
             "</span></p>\n</header>\n<main>\n";
     incidents({});
@@ -38,6 +40,28 @@ class StudentPage {
     return student.name.empty() ? student.id : student.name + " (" + student.id + ")";
   }
 
+  void dates() {
+    const Assignment& assignment = *result_.assignment;
+    if (const auto due = result_.student.due ? result_.student.due : assignment.due)
+      out_ += "<p class=\"who\">Due " + time_in_words(*due) + "</p>\n";
+    const bool all_told = std::ranges::all_of(
+        result_.exercises, [&](const ExerciseResult& made) { return exercise_of(made).feedback == Feedback::full; });
+    if (assignment.full_feedback_from && !all_told)
+      out_ += "<p class=\"who\">The right values will be told from " + time_in_words(*assignment.full_feedback_from) +
+              " on</p>\n";
+  }
+
+  // With the numbers and the level of feedback of this student, where they are known.
+  const Exercise& exercise_of(const ExerciseResult& made) const {
+    if (made.grade) return *made.grade->exercise;
+    return made.grader ? made.grader->exercise() : result_.assignment->items[made.item].exercise;
+  }
+
+  // A path is the instructor's; its last name is the student's.
+  static std::string file_of(const std::string& source) {
+    return printable(std::string_view(source).substr(source.rfind('/') + 1));
+  }
+
   // What concerns the student; who else's the file may be, and what else was in the archive, does not.
   void incidents(std::string_view exercise_id) {
     for (const Incident& incident : result_.incidents) {
@@ -50,26 +74,41 @@ class StudentPage {
                                     : kind == Kind::unreadable ? "Not readable: "
                                     : kind == Kind::misplaced  ? "Not part of this assignment: "
                                                                : "";
-      out_.append("<p class=\"notice\">").append(what).append(html_escape(incident.text)).append(".</p>\n");
+      const std::string file = file_of(incident.source);
+      out_.append("<p class=\"notice\">").append(what).append(html_escape(file));
+      out_.append(file.empty()              ? ""
+                  : kind == Kind::duplicate ? " "
+                                            : ": ")
+          .append(html_escape(as_sentence(incident.text)));
+      out_ += "</p>\n";
     }
+  }
+
+  // Something that may have been meant for any exercise.
+  bool any_unreadable() const {
+    return std::ranges::any_of(result_.incidents, [](const Incident& incident) {
+      return incident.kind == Incident::Kind::unreadable && incident.exercise.empty();
+    });
   }
 
   void exercise(std::size_t i) {
     const ExerciseResult& made = result_.exercises[i];
     const Assignment::Item& item = result_.assignment->items[made.item];
-    exercise_ = made.grade ? made.grade->exercise : made.grader ? &made.grader->exercise() : &item.exercise;
+    exercise_ = &exercise_of(made);
     out_ += "<article>\n<div class=\"title\"><h2>";
     if (result_.exercises.size() > 1) out_ += std::to_string(i + 1) + ". ";
     out_ += html_escape(exercise_->title) + "</h2><p class=\"points\">" + number_text(made.points) + " of " +
             number_text(made.max_points) + " points</p></div>\n";
     // Whose own numbers are not known is not shown somebody else's.
     if (made.grade || made.grader || !varies(item.document)) prompt();
-    incidents(exercise_->id);
     lateness(made, item);
-    if (!made.grade) out_ += "<p class=\"notice\">Nothing was handed in for this exercise.</p>\n";
-    if (made.grade || made.grader) {
+    incidents(exercise_->id);
+    if (!made.grade) {
+      out_ += any_unreadable() ? "<p class=\"notice\">Nothing that can be read was handed in for this exercise.</p>\n"
+                               : "<p class=\"notice\">Nothing was handed in for this exercise.</p>\n";
+    } else {
       const StudentRun run(made);
-      if (made.grade) graded(*made.grade, run);
+      graded(made, run);
       if (run.any_told()) append_run(out_, run);
       any_run_ = any_run_ || run.any_told();
     }
@@ -100,7 +139,7 @@ class StudentPage {
   }
 
   void lateness(const ExerciseResult& made, const Assignment::Item& item) {
-    if (made.submitted) out_ += "<p class=\"note\">Handed in " + when(*made.submitted) + ".</p>\n";
+    if (made.submitted) out_ += "<p class=\"note\">Handed in " + time_in_words(*made.submitted) + ".</p>\n";
     if (made.days_late <= 0 || !made.grade) return;
     out_ +=
         "<p class=\"notice\">" + std::to_string(made.days_late) + (made.days_late == 1 ? " day" : " days") + " late";
@@ -112,25 +151,30 @@ class StudentPage {
     out_ += ".</p>\n";
   }
 
-  // "2026-10-01 21:59 UTC"
-  static std::string when(Time time) {
-    std::string text = format_time(time);
-    text[10] = ' ';
-    return text.substr(0, 16) + " UTC";
-  }
-
-  void graded(const Grade& grade, const StudentRun& run) {
+  void graded(const ExerciseResult& made, const StudentRun& run) {
+    const Grade& grade = *made.grade;
     if (!grade.reason.empty()) {
-      out_ += "<p class=\"notice\">This could not be graded: " + html_escape(grade.reason) + ".</p>\n";
+      const bool is_said = std::ranges::any_of(result_.incidents, [&](const Incident& incident) {
+        return incident.kind == Incident::Kind::unreadable && incident.exercise == exercise_->id &&
+               incident.text == grade.reason;
+      });
+      if (is_said) return;
+      out_ += "<p class=\"notice\">This could not be graded: " + html_escape(as_sentence(grade.reason)) + "</p>\n";
       return;
     }
     if (exercise_->feedback == Feedback::none) {
-      out_ += "<p class=\"note\">The answers are discussed later.</p>\n";
+      out_ += "<p class=\"note\">The answers will be discussed later.</p>\n";
       return;
     }
     explanation(grade);
     parts(grade, run);
-    for (const std::string& note : grade.notes) out_ += "<p class=\"notice\">" + html_escape(note) + ".</p>\n";
+    if (exercise_->max_points != made.max_points && exercise_->max_points != Exact(0)) {
+      const Exact here = grade.points * made.max_points / exercise_->max_points;
+      out_ += "<p class=\"note\">Together " + number_text(grade.points) + " of " + number_text(exercise_->max_points) +
+              ", which is " + number_text(here) + " of " + number_text(made.max_points) + " points here.</p>\n";
+    }
+    for (const std::string& note : grade.notes)
+      out_ += "<p class=\"notice\">" + html_escape(as_sentence(note)) + "</p>\n";
   }
 
   void explanation(const Grade& grade) {
@@ -171,7 +215,7 @@ class StudentPage {
       const Json* typed = run.typed()[i];
       out_ += "<tr><th scope=\"row\">" + math(part.name) + "</th><td data-label=\"Your answer\" class=\"typed\">" +
               (typed == nullptr ? "–" : html_escape(typed_text(*typed))) + "</td><td data-label=\"Verdict\">" +
-              sign_html(sign_of(graded.verdict)) + "</td><td data-label=\"Points\" class=\"number\">" +
+              sign_html(sign_of(standing_of(graded.verdict))) + "</td><td data-label=\"Points\" class=\"number\">" +
               number_text(graded.points) + " / " + number_text(part.points) + "</td>";
       if (advises) {
         const bool nothing = graded.verdict == Verdict::correct || graded.feedback.empty();

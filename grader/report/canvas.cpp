@@ -5,6 +5,7 @@
 //   like in it is taken for one of Canvas's own columns and not read;
 // - a row whose first cell has "Points Possible" in it gives the points, not a student; so no student's may;
 // - a student is looked for by ID, then by SIS User ID, SIS Login ID, and name; who is not in the file is left as is;
+// - Moodle's number of a participant would be somebody else's ID: it is left out;
 // - decimals have a point, and no thousands;
 // - an empty cell is no grade: it leaves who has none without one, but takes away a grade that is there. It is what
 //   students who handed in nothing get, so that Canvas's own policy for missing work decides; a 0 would say that
@@ -30,13 +31,14 @@ class CanvasReport final : public Report {
   void add(const StudentResult& result, std::string& out) override {
     const Student& student = result.student;
     const bool named = !student.name.empty() && student.name.find("Points Possible") == std::string::npos;
-    const bool known = !student.lms_id.empty() || !student.sis_id.empty() || !student.login.empty();
+    const std::string number = student.is_participant ? std::string() : student.lms_id;
+    const bool known = !number.empty() || !student.sis_id.empty() || !student.login.empty();
     bool handed_in = false;
     for (const ExerciseResult& exercise : result.exercises) handed_in = handed_in || exercise.grade.has_value();
-    write_csv_row({csv_text(named ? student.name : student.id), csv_text(student.lms_id),
-                   csv_text(known ? student.sis_id : student.id), csv_text(student.login), csv_text(student.section),
-                   handed_in ? points_text(result.points) : std::string()},
-                  out);
+    write_csv_row(
+        {csv_text(named ? student.name : student.id), csv_text(number), csv_text(known ? student.sis_id : student.id),
+         csv_text(student.login), csv_text(student.section), handed_in ? points_text(result.points) : std::string()},
+        out);
   }
 
  private:

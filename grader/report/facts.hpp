@@ -17,6 +17,7 @@ struct PartFacts {
   Exact points = 0;      // in the assignment's points, before lateness
   Exact max_points = 0;  // likewise
   std::string text;      // what is said of it, on one line; of what is correct nothing
+  std::string typed;     // what was typed for it, on one line; of what is correct nothing
 };
 
 struct ExerciseFacts {

@@ -108,7 +108,8 @@ class TextReport final : public Report {
     for (std::size_t i = 0; i < facts.parts.size(); ++i) {
       const PartFacts& part = facts.parts[i];
       out += "  " + pad(std::string(part.name), names) + "  " + pad(std::string(part.verdict), verdicts) + "  " +
-             pad_left(of(part.points, part.max_points), points) + "\n";
+             pad_left(of(part.points, part.max_points), points) + (part.typed.empty() ? "" : "  typed " + part.typed) +
+             "\n";
       if (!part.text.empty())
         out += "      " + feedback(facts.grade->parts[i], *facts.grade->exercise, part.text, given) + "\n";
     }

@@ -115,6 +115,45 @@ TEST_CASE("a class comes on standard input") {
   CHECK(contains(ended.out, "12 students"));  // eleven who handed in, and the visitor: there is no roster
 }
 
+TEST_CASE("a run from standard input is gone on with only when the same comes again") {
+  const Scratch scratch;
+  const std::string lines = read_all(demo + "submissions.jsonl");
+  const auto again = [&](const std::string& input) {
+    return run_program("blossom-grade", {"batch", demo + "course.json", "-", "--out", scratch / "killed"},
+                       {.input = input});
+  };
+  std::string many;
+  for (int i = 0; i < 200; ++i) many += lines;
+  const auto input = scratch.write("input", many);
+  for (int attempt = 0; attempt < 60 && !fs::exists(scratch / "killed/.work/read.json"); ++attempt) {
+    fs::remove_all(scratch / "killed");
+    const pid_t child = fork();
+    if (child == 0) {
+      const int in = open(input.c_str(), O_RDONLY), null = open("/dev/null", O_WRONLY);
+      dup2(in, 0);
+      dup2(null, 1);
+      const std::string program = (fs::path(BLOSSOM_BIN_DIR) / "blossom-grade").string(), out = scratch / "killed";
+      execl(program.c_str(), program.c_str(), "batch", (demo + "course.json").c_str(), "-", "--out", out.c_str(),
+            nullptr);
+      _exit(127);
+    }
+    int status = 0;
+    while (!fs::exists(scratch / "killed/.work/read.json") && waitpid(child, &status, WNOHANG) == 0)
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    kill(child, SIGKILL);
+    waitpid(child, &status, 0);
+  }
+  REQUIRE(fs::exists(scratch / "killed/.work/read.json"));
+  const auto other = again(lines);
+  SHOW(other);
+  CHECK(other.status == 1);
+  CHECK(contains(other.err, "standard input has other submissions now"));
+  const auto same = again(many);
+  SHOW(same);
+  CHECK(same.status == 0);
+  CHECK(contains(same.out, "Went on"));
+}
+
 TEST_CASE("regrading after an exercise has changed says who, from what to what, and why") {
   const Scratch scratch;
   CHECK(batch(demo + "submissions.jsonl", scratch / "old").status == 0);
@@ -131,7 +170,7 @@ TEST_CASE("regrading after an exercise has changed says who, from what to what, 
   SHOW(ended);
   CHECK(ended.status == 0);
   CHECK(contains(ended.out, "  de-boor k: correct, 1 of 1 -> correct, 3 of 3 (points 1 -> 3)"));
-  CHECK(contains(ended.out, "What has changed:\ns01: 100 of 100 -> 100 of 100\n"));
+  CHECK(contains(ended.out, "What has changed:\ns01: 100 of 100 as before\n"));
   CHECK(contains(read_all(scratch / "new/changes.csv"), "points 1 -> 3"));
   const auto same =
       run_program("blossom-grade", {"regrade", scratch / "old", demo + "course.json", "--out", scratch / "old"});
@@ -150,6 +189,8 @@ TEST_CASE("mistakes: nothing is written, and what is wrong is said") {
   };
   const std::string out = scratch / "out", course = demo + "course.json", lines = demo + "submissions.jsonl";
   refused({"batch", course, lines}, 2, "--out");
+  refused({"batch", course, lines, "--out", ""}, 2, "--out");
+  refused({"batch", course, lines, "--out", out, "--jobs", "0"}, 2, "--jobs");
   refused({"batch", course, lines, "--out", out, "--format", "xls"}, 2, "--format");
   refused({"batch", course, lines, "--out", out, "--now", "today"}, 2, "--now");
   refused({"batch", "none.json", lines, "--out", out}, 1, "none.json");
@@ -228,10 +269,12 @@ TEST_CASE("killed at any moment and started again, it ends in the same bytes as 
   for (int round = 0; round < 3; ++round) {
     const std::string out = scratch / ("killed-" + std::to_string(round));
     int status = 128 + SIGKILL, kills = 0;
-    // Whatever is done in the mean time is kept, so that it ends; the last run has all the time it wants.
+    // Whatever is done in the mean time is kept, so that it ends; the last run has all the time it wants. The first
+    // kill comes before anybody can be done, whatever else the machine does.
     while (status == 128 + SIGKILL && kills < 12) {
-      status = run_and_kill(arguments(out), std::chrono::microseconds(std::uniform_int_distribution<long>(
-                                                1000, whole_time.count() / 2)(random)));
+      const long latest = kills == 0 ? 2000 : whole_time.count() / 2;
+      status = run_and_kill(arguments(out),
+                            std::chrono::microseconds(std::uniform_int_distribution<long>(1000, latest)(random)));
       kills += status == 128 + SIGKILL ? 1 : 0;
     }
     if (status != 0) status = run_program("blossom-grade", arguments(out)).status;

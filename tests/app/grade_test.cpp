@@ -182,8 +182,10 @@ TEST_CASE("An assignment: each file against the exercise that it names, and late
   SHOW(files);
   CHECK(files.status == 1);
   CHECK(contains(files.out, "perfect: 100 % (8/8 points) in de-boor\n"));
-  CHECK_FALSE(contains(files.out, "de-casteljau"));
-  CHECK(contains(files.out, "ann: 0 % (0/0 points) in all\n  Misplaced: it names no exercise of this assignment.\n"));
+  CHECK_FALSE(contains(files.out, "in de-casteljau"));
+  CHECK(contains(
+      files.out,
+      "ann: 0 % (0/0 points) in all\n  Not part of this assignment: \"other\" is no exercise of this assignment"));
 
   const auto late = run_program("blossom-grade",
                                 {assignment, perfect, "--student", "s17", "--submitted", "2026-10-01T10:00:00+02:00"});
@@ -191,6 +193,18 @@ TEST_CASE("An assignment: each file against the exercise that it names, and late
   CHECK(late.status == 0);
   CHECK(contains(late.out, "s17: 50 % (4/8 points) in de-boor\n"));
   CHECK(contains(late.out, "s17: 40 % (4/10 points) in all\n"));
+}
+
+TEST_CASE("What is graded as one student's needs to be told whose it is") {
+  for (const std::vector<std::string>& given :
+       {std::vector<std::string>{"exercises/05-de-boor.json", "exercises"},
+        {"exercises/15-own-de-casteljau.json", "exercises/demo-class/perfect.json"}}) {
+    const auto ended = run_program("blossom-grade", given);
+    SHOW(ended);
+    CHECK(ended.status == 2);
+    CHECK(ended.out == "");
+    CHECK(contains(ended.err, "with --student ID or --metadata"));
+  }
 }
 
 TEST_CASE("--out writes the whole report or leaves the file as it was; --now decides what is shown") {
@@ -218,6 +232,24 @@ TEST_CASE("--out writes the whole report or leaves the file as it was; --now dec
   };
   CHECK_FALSE(contains(at("2026-10-04T23:59:59Z"), "Right is"));
   CHECK(contains(at("2026-10-05T00:00:00Z"), "Right is"));
+}
+
+TEST_CASE("What is mistyped on the command line is told with what was probably meant") {
+  struct Case {
+    std::vector<std::string> arguments;
+    std::string says;
+  };
+  for (const Case& each :
+       {Case{{"btch", "a.json", "b"}, "there is no command or file \"btch\"; did you mean \"batch\"?"},
+        Case{{"batch", "a.json", "b", "--out", "c", "--rooster", "canvas.csv"},
+             "not expected: --rooster canvas.csv; did you mean --roster?"},
+        Case{{exercise, "a.json", "--format", "canvass"}, "; did you mean canvas?"},
+        Case{{"batch", "a.json", "b", "--out", "c", "--format", "canvass"}, "; did you mean canvas?"}}) {
+    const auto ended = run_program("blossom-grade", each.arguments);
+    SHOW(ended);
+    CHECK(ended.status == 2);
+    CHECK(contains(ended.err, each.says));
+  }
 }
 
 TEST_CASE("What does not go together is wrong usage") {

@@ -56,7 +56,7 @@ TEST_CASE("variant makes a whole class's exercises and a sheet to print") {
   const Scratch scratch;
   const auto secret = scratch.write("secret", "correct horse battery");
   const auto roster =
-      scratch.write("roster.csv", "id,name,section\ns17,\"Lovelace, Ada\",A\n../s18,\"<script>alert(1)</script>\",B\n");
+      scratch.write("roster.csv", "id,name,section\ns17,\"Lovelace, Ada\",1\n../s18,\"<script>alert(1)</script>\",B\n");
   const std::string out = scratch / "own";
   const auto made = variant({exercise, "--roster", roster, "--secret-file", secret, "--out", out});
   SHOW(made);
@@ -72,13 +72,16 @@ TEST_CASE("variant makes a whole class's exercises and a sheet to print") {
   const std::string sheet = read_all(fs::path(out) / "sheet.html");
   CHECK(count_of(sheet, "<section class=\"sheet\">") == 2);
   CHECK(contains(sheet, "Lovelace, Ada"));
-  CHECK(contains(sheet, "ID s17"));
+  CHECK(contains(sheet, "section 1 · ID s17"));
   CHECK(contains(sheet, "&lt;script&gt;alert(1)&lt;/script&gt;"));
   CHECK_FALSE(contains(sheet, "<script"));
   CHECK_FALSE(contains(sheet, "{P["));
   CHECK(contains(sheet, "<code>P[1][0]</code>"));
   // Nothing stands in the boxes.
   CHECK(count_of(sheet, "<code>P[1][0]</code></th><td></td><td></td><td></td></tr>") == 2);
+  // How to hand in, with the exercise's ID, and where to compute.
+  CHECK(count_of(sheet, "&quot;exercise&quot;: &quot;own-rational&quot;") == 2);
+  CHECK(count_of(sheet, "<div class=\"room\">") == 2);
 
   SECTION("and the solutions, on sheets of their own") {
     const auto again = variant({exercise, "--roster", roster, "--secret-file", secret, "--out", out, "--answers"});

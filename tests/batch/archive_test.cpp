@@ -144,15 +144,17 @@ TEST_CASE("a class in an archive of each kind", "[archive]") {
                                                     {"Ada Lovelace_4712_assignsubmission_file_/a.json", "moodle"},
                                                     {"__MACOSX/s10/._a.json", "clutter"},
                                                     {".DS_Store", "clutter"},
+                                                    {".s11/a.json", "hidden"},
                                                     {"s\xC3\xA9.json", std::string(60'000, 'x')},
                                                     {"s1/notes.txt", "text"}}));
     CHECK(all.failure == "");
     CHECK(lines_of(all) ==
           "s2 < s2.json: two\n"
           "s10 < s10/deeper/a.json: ten\n"
-          "lovelaceada_LATE_4711_99_a|4711 < lovelaceada_LATE_4711_99_a.json: canvas\n"
-          "Ada Lovelace_4712_assignsubmission_file_|4712|Ada Lovelace < "
+          "lovelaceada_LATE_4711_99_a|#4711 < lovelaceada_LATE_4711_99_a.json: canvas\n"
+          "Ada Lovelace_4712_assignsubmission_file_|#4712 < "
           "Ada Lovelace_4712_assignsubmission_file_/a.json: moodle\n"
+          "refused .s11 < .s11/a.json ! not read: its name begins with a point, which hides it\n"
           "s\xC3\xA9 < s\xC3\xA9.json: 60000 of x\n"
           "refused s1 < s1/notes.txt ! not read: the name of a submission ends in .json\n");
     REQUIRE(!all.found.empty());

@@ -1,5 +1,6 @@
 #include "grader/batch/batch.hpp"
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 
 #include "classes.hpp"
 #include "grader/batch/collate.hpp"
+#include "grader/batch/folder_lock.hpp"
 #include "grader/batch/grading.hpp"
 #include "grader/batch/kept.hpp"
 #include "grader/batch/newcomers.hpp"
@@ -265,6 +267,107 @@ TEST_CASE("two runs do not work in one folder at the same time") {
   CHECK(said.find("another run is at work") != std::string::npos);
 }
 
+TEST_CASE("the lock of a folder is one process's, though its file comes and goes") {
+  const Scratch scratch;
+  const std::filesystem::path out = scratch / "out", work = out / ".work";
+  // Whoever has the file open when it is removed must not take the lock of a file that is none any more.
+  for (int round = 0; round < 50; ++round) {
+    const FolderLock lock(out, work);
+    REQUIRE(lock.held());
+    lock.clear_work();
+    CHECK(std::filesystem::exists(work / "lock"));
+  }
+  CHECK(!std::filesystem::exists(out));
+
+  std::vector<pid_t> children;
+  for (int child = 0; child < 4; ++child) {
+    children.push_back(fork());
+    if (children.back() != 0) continue;
+    for (int round = 0; round < 300; ++round) {
+      const FolderLock lock(out, work);
+      if (!lock.held()) continue;
+      // Only one at a time can make this file.
+      const int mark = open((work / "mark").c_str(), O_CREAT | O_EXCL | O_WRONLY, 0600);
+      if (mark < 0) _exit(1);
+      close(mark);
+      lock.clear_work();
+    }
+    _exit(0);
+  }
+  for (const pid_t child : children) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+  }
+}
+
+TEST_CASE("no input lies in the folder of results, which is not among the submissions either") {
+  const Scratch scratch;
+  scratch.write("course.json", small_course());
+  std::filesystem::create_directories(scratch / "class");
+  scratch.write("class/s1.json", small_answers("a", right_value));
+  auto options = class_options(scratch, scratch / "class", "out");
+  grade_class(options);
+  options.fresh = true;
+  auto other = options;
+  other.roster = scratch.write("out/roster.csv", "id\ns1\n");
+  CHECK(refusal(other).find("holds the roster") != std::string::npos);
+  CHECK(read_file(*other.roster) == "id\ns1\n");
+  std::filesystem::create_symlink(scratch / "out/roster.csv", scratch / "link.csv");
+  other.roster = scratch / "link.csv";
+  CHECK(refusal(other).find("holds the roster") != std::string::npos);
+  other = options;
+  other.submissions = scratch / "out/submissions.jsonl";
+  CHECK(refusal(other).find("holds the submissions") != std::string::npos);
+  other = options;
+  other.out = scratch / "class/results";
+  CHECK(refusal(other).find("is inside the submissions") != std::string::npos);
+  CHECK(!std::filesystem::exists(other.out));
+  other.out.clear();
+  CHECK(refusal(other).find("has no name") != std::string::npos);
+}
+
+TEST_CASE(
+    "what is no archive is found out before anything is removed, and a removal that is interrupted is gone on with") {
+  const Scratch scratch;
+  scratch.write("course.json", small_course());
+  auto options = class_options(scratch, scratch.write("class.jsonl", class_lines(5)), "out");
+  grade_class(options);
+  const auto before = files_of(options.out);
+  auto damaged = options;
+  damaged.submissions = scratch.write("class.zip", "no archive");
+  damaged.fresh = true;
+  refusal(damaged);
+  check_same(before, files_of(options.out));
+  damaged.out = scratch / "new";
+  refusal(damaged);
+  CHECK(!std::filesystem::exists(damaged.out));
+
+  // As it is left when it is killed while old results are removed.
+  std::string manifest = read_file(options.out / "run.json");
+  manifest.replace(manifest.find("finished"), 8, "running");
+  scratch.write("out/run.json", manifest);
+  std::filesystem::remove(options.out / "results.jsonl");
+  grade_class(options);
+  check_same(before, files_of(options.out));
+}
+
+TEST_CASE("an assignment with a date due tells how many submissions have no time") {
+  const Scratch scratch;
+  const auto options = class_options(
+      scratch,
+      scratch.write("class.jsonl", line_of_class("s1", "{}") + line_of_class("s2", "{}") +
+                                       line_of_class("s3", "{}", R"(, "submitted": "2026-10-02T00:00:00Z")")),
+      "out");
+  scratch.write("course.json", small_course());
+  CHECK(grade_class(options).untimed == 0);
+  auto due = options;
+  due.out = scratch / "due";
+  scratch.write("course.json", small_course(R"(, "due": "2026-10-01T00:00:00Z")"));
+  CHECK(grade_class(due).untimed == 2);
+}
+
 TEST_CASE("one student's flood does not drown the others, and is told") {
   const Scratch scratch;
   scratch.write("course.json", small_course());
@@ -367,14 +470,14 @@ TEST_CASE("newcomers have the numbers of their first appearance, and keep them")
 TEST_CASE("what is kept of a submission reads as the same again") {
   const Scratch scratch;
   const Time time = *parse_time("2026-10-01T12:00:00Z");
-  const Found found[] = {{{"s1"}, {"a.json", time, "{\"x\": \"\\n\"}", ""}, false},
-                         {{"s2"}, {"", {}, std::string("\xff\x00\n", 3), ""}, false},
-                         {{"s3"}, {"b \"c\".json", {}, "", "is too large"}, false},
-                         {{"s4"}, {"link", {}, "", "is a symbolic link"}, true},
-                         {{"s5"}, {"", {}, "\"problem\":\"refused\":\"", ""}, false},
+  const Found found[] = {{{{"s1"}}, {"a.json", time, "{\"x\": \"\\n\"}", ""}, false},
+                         {{{"s2"}}, {"", {}, std::string("\xff\x00\n", 3), ""}, false},
+                         {{{"s3"}}, {"b \"c\".json", {}, "", "is too large"}, false},
+                         {{{"s4"}}, {"link", {}, "", "is a symbolic link"}, true},
+                         {{{"s5"}}, {"", {}, "\"problem\":\"refused\":\"", ""}, false},
                          {{}, {"nobody.json", {}, "", "missing key"}, false}};
   std::string lines;
-  for (const Found& each : found) write_kept(each.keys.empty() ? "" : each.keys[0], each, lines);
+  for (const Found& each : found) write_kept(each.keys.empty() ? "" : each.keys[0].text, each, lines);
   const auto source = open_kept(scratch.write("submissions.jsonl", lines));
   REQUIRE(source);
   for (const Found& each : found) {

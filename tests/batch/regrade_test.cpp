@@ -65,7 +65,7 @@ TEST_CASE("a tolerance that is relaxed changes who was near, and says so") {
   const auto changes = again.changes();
   REQUIRE(changes.size() == 3);
   CHECK(changes[0] == "s2  : 0 of 10 -> 4 of 10");
-  CHECK(changes[1] == "s2 a : 0 of 4 -> 4 of 4 (its parts have changed)");
+  CHECK(changes[1] == "s2 a : 0 of 4 -> 4 of 4 (its values below)");
   CHECK(changes[2].find("s2 a P[1][0]: ") == 0);
   CHECK(changes[2].find("-> correct, 1 of 1 (tolerance exact -> 0.001)") != std::string::npos);
   CHECK(again.summary.better == 1);
@@ -106,7 +106,7 @@ TEST_CASE("where another submission counts, that is why; who has come and gone i
   REQUIRE(changes.size() == 5);
   CHECK(changes[0] == "s0  :  -> 6 of 10 (not among the old results)");
   CHECK(changes[1] == "s3  : 0 of 10 -> 4 of 10");
-  CHECK(changes[2] == "s3 a : 0 of 4 -> 4 of 4 (its parts have changed; another submission counts)");
+  CHECK(changes[2] == "s3 a : 0 of 4 -> 4 of 4 (its values below; another submission counts)");
   CHECK(changes[3] == "s3 a P[1][0]: wrong, 0 of 1 -> correct, 1 of 1 (another submission counts)");
   CHECK(changes[4] == "s2  : 0 of 10 ->  (not among the new results)");
   CHECK(again.summary.come == 1);
@@ -131,6 +131,44 @@ TEST_CASE("all that differs between two versions of a part is named") {
   CHECK(revision.of_lateness().empty());
   CHECK(revision.touches("a"));
   CHECK(!revision.touches("b"));
+}
+
+TEST_CASE("where a part is voided, that alone is why") {
+  Again again(three_students());
+  again.grade("old", small_course());
+  again.grade("new", small_course("", R"("points": 1, "tolerance": {"decimals": 2}, "void": "credit")"));
+  const auto changes = again.changes();
+  REQUIRE(changes.size() > 2);
+  CHECK(changes[2].ends_with("(voided: everybody whose answers could be read gets its points)"));
+}
+
+TEST_CASE("another secret than that of the old results is told where numbers are students' own") {
+  const Scratch scratch;
+  const std::string varied = "exercises/15-own-de-casteljau.json";
+  auto options = class_options(scratch, scratch.write("class.jsonl", line_of_class("s1", "{}")), "old");
+  options.assignment = varied;
+  options.secret = scratch.write("secret", "the secret of this course, long enough");
+  grade_class(options);
+  CHECK(other_secret(scratch / "old", options).empty());
+  options.secret = scratch.write("other", "the secret of another course, as long");
+  CHECK(to_string(other_secret(scratch / "old", options)).find("is not the secret of") != std::string::npos);
+  scratch.write("course.json", small_course());
+  options.assignment = scratch / "course.json";  // nothing varies: any secret will do
+  CHECK(other_secret(scratch / "old", options).empty());
+}
+
+TEST_CASE("who comes onto the roster later is found by any name that was handed in under") {
+  const Scratch scratch;
+  scratch.write("course.json", small_course());
+  std::filesystem::create_directories(scratch / "class");
+  scratch.write("class/bobb_17_99_answers.json", small_answers("a", right_value));
+  auto options = class_options(scratch, scratch / "class", "old");
+  options.roster = scratch.write("roster.csv", "id,name,lms id\nz,Zoe,5\n");
+  CHECK(grade_class(options).mean_score == 0);
+  options.submissions = scratch / "old/submissions.jsonl";
+  options.out = scratch / "new";
+  options.roster = scratch.write("later.csv", "id,name,lms id\nb,Bob,17\n");
+  CHECK(grade_class(options).mean_score == Approx(0.4));
 }
 
 TEST_CASE("changes are rows that a spreadsheet reads and does not run") {

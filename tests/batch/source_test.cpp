@@ -44,7 +44,7 @@ TEST_CASE("a line with a submission as an object or as a string", "[lines]") {
   Found found = read_line(R"({"student": "s17", "submitted": "2026-10-01T23:59:00+02:00", "source": "a/b.json",
     "submission": )" + answers +
                           "}");
-  CHECK(found.keys == std::vector<std::string>{"s17"});
+  CHECK(found.keys == std::vector<StudentKey>{{"s17"}});
   CHECK(found.submission.submitted == parse_time("2026-10-01T21:59:00Z"));
   CHECK(found.submission.source == "a/b.json");
   CHECK(found.submission.text == answers);
@@ -52,7 +52,7 @@ TEST_CASE("a line with a submission as an object or as a string", "[lines]") {
   CHECK_FALSE(found.refused);
 
   found = read_line(R"({ "submission" : )" + json_quote(answers + "\n\xC3\xA9") + R"( , "student" :"s\u0031\u0037"})");
-  CHECK(found.keys == std::vector<std::string>{"s17"});
+  CHECK(found.keys == std::vector<StudentKey>{{"s17"}});
   CHECK(found.submission.text == answers + "\n\xC3\xA9");
   CHECK_FALSE(found.submission.submitted);
 
@@ -67,7 +67,7 @@ TEST_CASE("a line that is an answers file itself is its own text, with blanks fo
   const auto text = [](const std::string& line) {
     const Found found = read_line(line);
     CHECK(found.submission.problem == "");
-    CHECK(found.keys == std::vector<std::string>{"s17"});
+    CHECK(found.keys == std::vector<StudentKey>{{"s17"}});
     return found.submission.text;
   };
   CHECK(text(R"({"student": "s17", "schema": 1, "a": {"student": 2}})") ==
@@ -122,7 +122,7 @@ TEST_CASE("a line that is nobody's says why", "[lines]") {
 TEST_CASE("a line of somebody that cannot be taken is theirs, with the reason", "[lines]") {
   const auto of_s17 = [](const std::string& rest, const SourceLimits& limits = {}) {
     const std::string line = R"({"student": "s17", )" + rest + "}";
-    CHECK(read_line(line, limits).keys == std::vector<std::string>{"s17"});
+    CHECK(read_line(line, limits).keys == std::vector<StudentKey>{{"s17"}});
     return problem(line, limits);
   };
   CHECK(of_s17(R"("submission": 3)") == "\"submission\" must be the answers file, as an object or as a string");
@@ -167,7 +167,7 @@ TEST_CASE("no line of random members gets past the reader without a student or a
     const auto read = JsonDocument::parse("", line);
     if (read && read->root().kind == Json::Kind::object && read->root().find("student") != nullptr &&
         read->root().find("student")->text == "s17") {
-      REQUIRE(found.keys == std::vector<std::string>{"s17"});
+      REQUIRE(found.keys == std::vector<StudentKey>{{"s17"}});
       ++somebodys;
     }
   }
@@ -206,7 +206,7 @@ TEST_CASE("lines come whole wherever the reader's buffer ends", "[lines]") {
   const Everything all = read_all(folder.write("class.jsonl", text));
   REQUIRE(all.found.size() == students.size());
   for (std::size_t i = 0; i < students.size(); ++i) {
-    REQUIRE(all.found[i].keys.front() == students[i]);
+    REQUIRE(all.found[i].keys.front().text == students[i]);
     REQUIRE(all.found[i].submission.text.size() == i % 97);
   }
 }
@@ -224,11 +224,12 @@ TEST_CASE("a folder: whose it is by the first name of the path, in the order of 
     folder.put(clutter, "x");
   fs::create_directories(folder / "empty");
   CHECK(lines_of(read_all(folder.path())) ==
-        "Ada Lovelace_4711_assignsubmission_file_|4711|Ada Lovelace < "
+        "Ada Lovelace_4711_assignsubmission_file_|#4711 < "
         "Ada Lovelace_4711_assignsubmission_file_/a.json: moodle\n"
-        "lovelaceada_4711_99_4712_100_a|4711 < lovelaceada_4711_99_4712_100_a.json: canvas\n"
-        "lovelaceada_LATE_4711_99_a|4711 < lovelaceada_LATE_4711_99_a.json: canvas, late\n"
+        "lovelaceada_4711_99_4712_100_a|#4711 < lovelaceada_4711_99_4712_100_a.json: canvas\n"
+        "lovelaceada_LATE_4711_99_a|#4711 < lovelaceada_LATE_4711_99_a.json: canvas, late\n"
         "s1 < s1.json: \n"
+        "refused s10 < s10/.hidden.json ! not read: its name begins with a point, which hides it\n"
         "s10 < s10/a.json: a\n"
         "s10 < s10/deeper/b.JSON: b\n"
         "s2 < s2.json: two\n");
@@ -240,12 +241,22 @@ TEST_CASE("a name that somebody chose does not make them somebody else", "[folde
   folder.put("eve_4711_x_4712_99_a.json", "canvas");
   folder.put("s17/s18.json", "another's name inside");
   folder.put("_4711_assignsubmission_file_/a.json", "no name");
+  folder.put("x_17_18_y_4711_assignsubmission_file_/a.json", "a full name like Canvas's names");
+  folder.put("x_17_18_y_4711_assignsubmission_file_a.json", "the same as a file");
+  folder.put("bob_17_99_a_4711_assignsubmission_file_.json", "Canvas's, with a name like Moodle's");
+  folder.put("bob_17_99_a/a.json", "Canvas has no folders");
   CHECK(lines_of(read_all(folder.path())) ==
         "Eve_4712_assignsubmission_file__4711_assignsubmission_file_ < "
         "Eve_4712_assignsubmission_file__4711_assignsubmission_file_/a.json: moodle\n"
         "_4711_assignsubmission_file_ < _4711_assignsubmission_file_/a.json: no name\n"
+        "bob_17_99_a < bob_17_99_a/a.json: Canvas has no folders\n"
+        "bob_17_99_a_4711_assignsubmission_file_ < bob_17_99_a_4711_assignsubmission_file_.json: Canvas's, with a name "
+        "like Moodle's\n"
         "eve_4711_x_4712_99_a < eve_4711_x_4712_99_a.json: canvas\n"
-        "s17 < s17/s18.json: another's name inside\n");
+        "s17 < s17/s18.json: another's name inside\n"
+        "x_17_18_y_4711_assignsubmission_file_|#4711 < x_17_18_y_4711_assignsubmission_file_/a.json: a full name like "
+        "Canvas's names\n"
+        "x_17_18_y_4711_assignsubmission_file_a < x_17_18_y_4711_assignsubmission_file_a.json: the same as a file\n");
 }
 
 TEST_CASE("in a folder nothing is followed, nothing waited for, and all that is not read is told", "[folder]") {

@@ -26,10 +26,13 @@ inline Everything read_all(const std::string& path, const SourceLimits& limits =
   return read_all(**source);
 }
 
-// "s17|4711 < s17.json: text" or "... ! problem", with "refused" before it; a long text as "65536 of x".
+// "s17|#4711 < s17.json: text" or "... ! problem", with "refused" before it; a long text as "65536 of x".
 inline std::string line_of(const Found& found) {
   std::string line = found.refused ? "refused " : "";
-  for (std::size_t i = 0; i < found.keys.size(); ++i) line += (i > 0 ? "|" : "") + found.keys[i];
+  for (std::size_t i = 0; i < found.keys.size(); ++i) {
+    line += i > 0 ? "|" : "";
+    line += (found.keys[i].kind == StudentKey::Kind::lms_number ? "#" : "") + found.keys[i].text;
+  }
   line += " < " + found.submission.source;
   if (!found.submission.problem.empty()) return line + " ! " + found.submission.problem;
   const std::string& text = found.submission.text;

@@ -17,9 +17,8 @@ using Records = std::vector<std::pair<std::uint64_t, std::string>>;
 
 Records read(const SpoolReader& reader, std::size_t part) {
   Records records;
-  const auto done = reader.read(part, [&](std::uint64_t student, std::string_view record) {
-    records.emplace_back(student, record);
-  });
+  const auto done =
+      reader.read(part, [&](std::uint64_t student, std::string_view record) { records.emplace_back(student, record); });
   INFO(to_string(done.diagnostics));
   REQUIRE(done);
   return records;

@@ -3,6 +3,8 @@
 #include "grader/batch/workers.hpp"
 
 #include <signal.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,6 +13,7 @@
 #include <new>
 #include <random>
 #include <stdexcept>
+#include <system_error>
 #include <vector>
 
 #include "grader/batch/sandbox.hpp"
@@ -125,6 +128,36 @@ TEST_CASE("a worker that dies takes exactly the item with it that it was at") {
               (items[i] == "die" ? "the grader died of signal 6 (SIGABRT)" : "the grader ended with status 7"));
       }
     }
+}
+
+TEST_CASE("a worker that is killed from outside costs nobody anything: its item is tried again, three times") {
+  const auto items = numbers(50);
+  const pid_t parent = getpid();
+  // Every worker's first item is the end of it, until the third: as if there were no memory for a while.
+  int* const left =
+      static_cast<int*>(mmap(nullptr, sizeof(int), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+  REQUIRE(left != MAP_FAILED);
+  WorkerOptions open = options(1);
+  open.sandboxed = false;  // or it cannot kill itself
+  const auto killed_so_often = [&](int times) {
+    *left = times;
+    Workers workers(
+        [&](std::string_view item, std::string& answer) {
+          if (getpid() != parent && item == "7" && *left > 0) {
+            --*left;
+            kill(getpid(), SIGKILL);
+          }
+          twice(item, answer);
+        },
+        open);
+    return run(workers, items);
+  };
+  for (const auto& taken : killed_so_often(2)) CHECK_FALSE(taken.lost);
+  const auto taken = killed_so_often(1000);
+  REQUIRE(taken.size() == items.size());
+  for (std::size_t i = 0; i < taken.size(); ++i) CHECK(taken[i].lost == (i == 7));
+  CHECK(taken[7].why.text.find("SIGKILL") != std::string::npos);
+  munmap(left, sizeof(int));
 }
 
 TEST_CASE("a worker that takes too long over an item is replaced; the item is lost, its neighbours are not") {
@@ -305,6 +338,26 @@ TEST_CASE("no worker outlives its parent") {
   };
   for (int i = 0; i < 1000 && is_alive(); ++i) usleep(10'000);
   CHECK_FALSE(is_alive());
+}
+
+TEST_CASE("a worker that the system refuses what it needs says what was refused", "[workers]") {
+  rlimit before{};
+  REQUIRE(getrlimit(RLIMIT_NOFILE, &before) == 0);
+  const int first_free = dup(STDIN_FILENO);
+  REQUIRE(first_free >= 0);
+  close(first_free);
+  // Room for both ends of a socket, and for nothing in the worker.
+  rlimit tight = before;
+  tight.rlim_cur = static_cast<rlim_t>(first_free) + 2;
+  REQUIRE(setrlimit(RLIMIT_NOFILE, &tight) == 0);
+  std::string message;
+  try {
+    Workers workers([](std::string_view, std::string&) {}, {.processes = 1});
+  } catch (const std::system_error& error) {
+    message = error.what();
+  }
+  setrlimit(RLIMIT_NOFILE, &before);
+  CHECK(message == "a worker cannot be started: Too many open files");
 }
 
 }  // namespace blossom

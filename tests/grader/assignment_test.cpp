@@ -46,6 +46,37 @@ TEST_CASE("an assignment's exercises are found beside it, worth what it says or 
   CHECK(!assignment->item("c"));
 }
 
+TEST_CASE("a file of another kind is told in one sentence, not by all that it lacks") {
+  const auto told = [](const std::string& text) {
+    return read_assignment(*JsonDocument::parse("a.json", text)).diagnostics;
+  };
+  const auto answers = told(answers_text("{}"));
+  REQUIRE(answers.size() == 1);
+  CHECK(answers[0].message.starts_with("is an answers file, where an exercise or an assignment is wanted"));
+  const auto as_exercise = read_exercise(*JsonDocument::parse(
+      "a.json", R"({"schema": "blossom.assignment/1", "id": "c", "title": "C", "exercises": []})"));
+  REQUIRE(as_exercise.diagnostics.size() == 1);
+  CHECK(as_exercise.diagnostics[0].message.starts_with("is an assignment, where an exercise is wanted"));
+}
+
+TEST_CASE("solutions are not shown before the date due") {
+  const Scratch scratch;
+  const std::string exercises = R"("exercises": [{"file": "a.json"}], "due": "2026-11-20T00:00:00Z", )";
+  CHECK(mistakes(read(scratch, exercises + R"("full_feedback_from": "2026-01-15T00:00:00Z")"))
+            .find("full_feedback_from: is before \"due\"") != std::string::npos);
+  CHECK(read(scratch, exercises + R"("full_feedback_from": "2026-11-20T00:00:00Z")"));
+}
+
+TEST_CASE("an ID that no exercise has is told with those there are, or the one that it misspells") {
+  const Scratch scratch;
+  const auto assignment = read(scratch, R"("exercises": [{"file": "a.json"}, {"file": "b.json"}])");
+  REQUIRE(assignment);
+  CHECK(no_exercise_of(*assignment, "skinning") ==
+        "\"skinning\" is no exercise of this assignment, which has \"a\", \"b\"");
+  const auto alone = load_assignment(scratch.write("e.json", exercise_a));
+  CHECK(no_exercise_of(*alone, "tset") == "\"tset\" is no exercise of this assignment; did you mean \"test\"?");
+}
+
 TEST_CASE("an exercise alone is an assignment of its own points") {
   const Scratch scratch;
   const auto assignment = load_assignment(scratch.write("e.json", exercise_a));

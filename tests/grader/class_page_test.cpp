@@ -134,10 +134,44 @@ TEST_CASE("a mistake is counted by students and by values, with an example", "[c
   CHECK(at(counted, "word").text == "swapped-weights");
   CHECK(number(counted, "students") == 2);
   CHECK(number(counted, "values") == 3);
-  CHECK(number(counted, "explains") == 1);
+  CHECK(number(counted, "explains") == 2);  // in both nothing else is wrong
   const std::string& page = of.html();
   CHECK(has(page, "the weights are swapped"));
-  CHECK(has(page, "<a href=\"students/s1.html\">s1</a>: <code>e1: a</code> = (3, 1/2)"));
+  CHECK(has(
+      page,
+      "<a href=\"students/s1.html\">s1</a>, e1: <span class=\"value\" title=\"a\"><code>a</code></span> = (3, 1/2)"));
+}
+
+TEST_CASE("a slip that is all that is wrong explains the submission", "[class]") {
+  const std::string slip = R"(,"note":"arithmetic")";
+  Class of;
+  of.add(result_json("s1", 0.5, exercise_json({{"a", "slip", 0, "3", slip}, {"b", "carried", 1}})));
+  of.add(result_json("s2", 0,
+                     exercise_json({{"a", "slip", 0, "3", slip}, {"b", "wrong", 0, "1", R"(,"note":"unknown")"}})));
+  const auto json = of.json();
+  const Json& counted = at(json.root(), "mistakes").items.at(0);
+  REQUIRE(at(counted, "word").text == "arithmetic");
+  CHECK(number(counted, "students") == 2);
+  CHECK(number(counted, "explains") == 1);
+}
+
+TEST_CASE("names are typeset as on the student's page, with what is typed beside them", "[class]") {
+  auto document = JsonDocument::parse("e.json", exercise_text("de_casteljau", R"({"curve": {"degree": 2,
+      "points": [[0, 0], [3, 9], [9, 15]]}, "u": "1/3"})",
+                                                              R"([{"value": "P[1][*]", "points": 1}])"));
+  REQUIRE(document);
+  auto assignment = read_assignment(*document);
+  REQUIRE(assignment);
+  assignment->items[0].exercise.id = "e1";
+  std::string page;
+  ClassStatistics statistics(
+      "A class", [&](const std::string&, std::string_view html) { page = html; }, &*assignment);
+  const auto result = JsonDocument::parse("r", result_json("s1", 1, exercise_json({{"P[1][0]", "correct", 1}})));
+  REQUIRE(result);
+  statistics.add(result->root(), "");
+  statistics.finish();
+  CHECK(has(page, "title=\"P[1][0]\"><span class=\"v\"><i>P</i>"));
+  CHECK(has(page, "<code>P[1][0]</code>"));
 }
 
 TEST_CASE("the same wrong answers are pointed at where no mistake explains them", "[class]") {
@@ -169,6 +203,22 @@ TEST_CASE("the same wrong answers are pointed at where no mistake explains them"
     CHECK(alike(of) == 1);
     CHECK(has(of.html(), "with different numbers"));
   }
+  SECTION("somebody else's right answers, where everybody has other numbers") {
+    Class of;
+    const std::string varies = R"(,"varies":true)";
+    of.add(result_json("s6", 0, exercise_json({odd[0], odd[1]}, varies)));
+    of.add(result_json("s1", 1, exercise_json({{"a", "correct", 1, "7"}, {"b", "correct", 1, "8"}}, varies)));
+    of.add(result_json("s2", 0, exercise_json({{"a", "correct", 1, "1"}, {"b", "wrong", 0, "8"}}, varies)));
+    CHECK(alike(of) == 1);
+    CHECK(has(of.html(), "the answers of s6 are those of s1</strong>, which are right for s1's numbers"));
+  }
+  SECTION("not what is right for the numbers of all") {
+    Class of;
+    for (const std::string id : {"s1", "s2"})
+      of.add(
+          result_json(id, 1, exercise_json({{"a", "correct", 1, "7"}, {"b", "correct", 1, "8"}}, R"(,"varies":true)")));
+    CHECK(alike(of) == 0);
+  }
   SECTION("not what a misconception explains or what is carried over") {
     Class of;
     for (const std::string id : {"s1", "s2"})
@@ -195,7 +245,20 @@ TEST_CASE("what cannot be explained or read is listed", "[class]") {
                      R"({"kind":"failed","exercise":"e1","text":"the grader died of signal 11"})"));
   const std::string& page = of.html();
   CHECK(has(page, "3 of 3 answers are wrong"));
-  CHECK(has(page, "failed: the grader died of signal 11"));
+  CHECK(has(page, "the grader failed: the grader died of signal 11"));
+}
+
+TEST_CASE("incidents are told in words, each with its file, what is nobody's among them", "[class]") {
+  Class of;
+  of.add(result_json("s1", 0, exercise_json({{"a", "correct", 1}}),
+                     R"({"kind":"misplaced","source":"s1/skinning.json","text":"no exercise"},)"
+                     R"({"kind":"duplicate","exercise":"e1","source":"s1/a.json","text":"does not count"})"));
+  of.statistics.add_stray("unlisted", "visitor", "visitor.json", "nobody on the roster is known as it");
+  const std::string& page = of.html();
+  CHECK(has(page, "1 handed in more than once, 1 for no exercise of this assignment, 1 from nobody on the roster"));
+  CHECK(has(page, "href=\"incidents.csv\""));
+  CHECK(has(page, "for no exercise of this assignment, s1/skinning.json: no exercise"));
+  CHECK(has(page, "<li>visitor: from nobody on the roster, visitor.json: nobody on the roster is known as it"));
 }
 
 TEST_CASE("a large class has its students on pages of a thousand", "[class]") {

@@ -21,13 +21,16 @@ TEST_CASE("of a folder the answers files are read, below it too, by name; other 
   folder.write("b/deep/x.json", "2");
   folder.write("notes.txt", "?");
   folder.write(".DS_Store", "?");
+  fs::create_directories(folder / ".tries");
+  folder.write(".tries/a.json", "?");
   folder.write("__MACOSX/._a.json", "?");
   const HandedIn found = read_handed_in({folder.path()});
   std::vector<std::string> read;
   for (const auto& one : found.submissions) read.push_back(one.source + " " + one.text + one.problem);
   CHECK(read == std::vector<std::string>{"a.json 1", "b/deep/x.json 2", "c.JSON 3"});
-  REQUIRE(found.refused.size() == 1);
-  CHECK(found.refused[0].source == "notes.txt");
+  REQUIRE(found.refused.size() == 2);
+  CHECK(found.refused[0].source == ".tries");
+  CHECK(found.refused[1].source == "notes.txt");
   CHECK(found.refused[0].kind == Incident::Kind::refused);
 }
 

@@ -53,7 +53,7 @@ TEST_CASE("documents that are no answers are invalid as a whole, with the reason
   check(R"({"schema": "blossom.answers/1", "exercise": "other", "answers": {}})",
         "\"exercise\" must be \"test\", not \"other\"");
   check(R"({"schema": "blossom.answers/1", "answers": {}})", "\"exercise\" must be");
-  check(R"({"schema": "blossom.answers/1", "exercise": "test"})", "\"answers\" must be an object");
+  check(R"({"schema": "blossom.answers/1", "exercise": "test"})", "\"answers\" is missing");
   check(R"({"schema": "blossom.answers/1", "exercise": "test", "answers": [4]})", "\"answers\" must be an object");
   check(R"({"schema": 1, "exercise": "test", "answers": {}})", "\"schema\" must be");
 }

@@ -110,6 +110,31 @@ TEST_CASE("the division by the weight forgotten in every answer is found in ever
     if (p.name != "C") CHECK(found_id(grade, p.name) == "missing-division");
 }
 
+TEST_CASE("a control point that enters with its own coordinates, not multiplied by the weight") {
+  // P[1][1] = 2/3 (1, 1, 1) + 1/3 (0, 1, 2) with (0, 1, 2) for (0, 2, 2).
+  const auto grader = shipped("03-rational-quarter-circle");
+  const Grade grade = grade_answers_to(grader, R"({"P[1][0]": [1, "1/3", 1], "P[1][1]": ["2/3", 1, "4/3"]})");
+  CHECK(found_id(grade, "P[1][1]") == "unweighted-coordinates");
+  // The equation ends in what is asked.
+  CHECK(part(grade, "P[1][1]").feedback.ends_with("(1 - 1/3) (1, 1, 1) + 1/3 (0, 2, 2) = (2/3, 4/3, 4/3)."));
+}
+
+TEST_CASE("the triangle of another span is said to be that") {
+  const auto grader = shipped("05-de-boor");
+  const char* const answers = R"({"k": 3, "alpha[1][1]": "8/5", "P[1][1]": [-6, 0], "alpha[1][2]": "4/5",
+      "P[1][2]": [0, 16], "alpha[1][3]": "8/15", "P[1][3]": [16, 20], "P[2][2]": ["18/5", "128/5"],
+      "P[2][3]": ["64/5", "96/5"], "P[3][3]": ["458/25", "384/25"])";
+  const Grade grade = grade_answers_to(grader, answers + std::string("}"));
+  const auto says = [](const Grade& made, const char* name) {
+    return part(made, name).feedback.find("computed the triangle of the span k = 3") != std::string::npos;
+  };
+  for (const char* name : {"k", "alpha[1][4]", "P[1][4]", "P[2][4]", "P[3][4]"}) CHECK(says(grade, name));
+  CHECK(verdict(grade, "P[3][4]") == "missing");
+  // Something else was handed in, too; or nothing of that span.
+  CHECK(!says(grade_answers_to(grader, answers + std::string(R"(, "P[9][9]": 1})")), "k"));
+  CHECK(!says(grade_answers_to(grader, R"({"k": 3})"), "k"));
+}
+
 TEST_CASE("the span one too early, at a knot and between knots") {
   const auto grader = grader_of(exercise_text("de_boor", de_boor_inputs,
                                               R"([{"value": "k", "points": 1}, {"value": "C", "points": 1}])",

@@ -27,7 +27,12 @@ Assignment assignment_of(const std::string& exercise, Feedback level) {
 struct Handed {
   std::string answers = {};  // an object; empty: nothing was handed in
   std::string text = {};     // instead: the whole file
-  Student student = {"s17", "Lovelace, Ada", {}, {}, {}, {}, {}, {}};
+  Student student = [] {
+    Student ada;
+    ada.id = "s17";
+    ada.name = "Lovelace, Ada";
+    return ada;
+  }();
 };
 
 std::string page_of(const std::string& exercise, Feedback level, const Handed& handed) {
@@ -197,10 +202,90 @@ TEST_CASE("a file that cannot be read makes a page that says so", "[page]") {
   handed.text = "{\"answers\": <script>";
   const Feedback level = GENERATE(Feedback::none, Feedback::verdict, Feedback::hint, Feedback::full);
   const std::string page = page_of(exercise, level, handed);
-  CHECK(has(page, "could not be graded"));
+  CHECK(has(page, "Not readable: s17.json: "));
   CHECK_FALSE(has(page, "class=\"parts\""));
   CHECK_FALSE(has(page, "data-side=\"own\""));
   CHECK_FALSE(has(page, "<script>\""));
+}
+
+TEST_CASE("who handed in what cannot be read is not told that nothing was handed in", "[page]") {
+  auto assignment = assignment_of(exercise, Feedback::hint);
+  assignment.items.push_back(assignment_of(exercise, Feedback::hint).items[0]);
+  assignment.items[1].exercise.id = "another";
+  Examiner examiner(std::move(assignment), "", *parse_time("2026-10-05T12:00:00Z"));
+  Submission submission;
+  submission.source = "s17/first.json";
+  submission.text = "{";
+  Student student;
+  student.id = "s17";
+  student.section = "2";
+  const std::string page = student_page(grade_student(examiner, student, {submission}));
+  CHECK(has(page, "s17 · section 2<"));
+  CHECK(has(page, "Not readable: first.json: "));
+  CHECK(count(page, "Nothing that can be read was handed in") == 2);
+  CHECK_FALSE(has(page, "Nothing was handed in"));
+}
+
+TEST_CASE("a page has its dates in one form, and the points here beside the exercise's own", "[page]") {
+  auto assignment = assignment_of(exercise, Feedback::verdict);
+  assignment.due = *parse_time("2026-10-01T23:59:00+02:00");
+  assignment.full_feedback_from = *parse_time("2026-10-20T00:00:30Z");
+  assignment.items[0].points = assignment.max_points = 21;
+  Examiner examiner(std::move(assignment), "", *parse_time("2026-10-05T12:00:00Z"));
+  std::vector<Submission> submissions(2);
+  const auto grader = grader_of(exercise);
+  for (std::size_t i = 0; i < 2; ++i) {
+    submissions[i].source = "s17/try-" + std::to_string(i) + ".json";
+    submissions[i].text = answers_text(some_answers(grader->exercise()));
+    submissions[i].submitted = *parse_time(i == 0 ? "2026-10-01T08:00:00Z" : "2026-10-01T09:00:00Z");
+  }
+  Student student;
+  student.id = "s17";
+  const std::string page = student_page(grade_student(examiner, student, submissions));
+  CHECK(has(page, "Due 2026-10-01 21:59 UTC"));
+  CHECK(has(page, "The right values will be told from 2026-10-20 00:00:30 UTC on"));
+  CHECK(has(page, "Handed in 2026-10-01 09:00 UTC."));
+  CHECK(has(page, "Handed in more than once: try-0.json does not count; the last one does"));
+  CHECK(has(page, "of 2026-10-01 09:00 UTC."));
+  CHECK(has(page, "Together 1 of 7, which is 3 of 21 points here."));
+}
+
+TEST_CASE("below hints a kind of mistake is not named", "[page]") {
+  // The weights exchanged: (1/3) (0, 0) + (2/3) (3, 9) = (2, 6).
+  const std::string text =
+      exercise_text("de_casteljau", R"({"curve": {"degree": 1, "points": [[0, 0], [3, 9]]}, "u": "1/3"})",
+                    R"([{"value": "P[1][0]", "points": 1}])");
+  for (const Feedback level : {Feedback::verdict, Feedback::hint}) {
+    Examiner examiner(assignment_of(text, level), "", *parse_time("2026-10-05T12:00:00Z"));
+    Submission submission;
+    submission.text = answers_text(R"({"P[1][0]": [2, 6]})");
+    Student student;
+    student.id = "s17";
+    const auto result = grade_student(examiner, student, {submission});
+    REQUIRE(result.exercises[0].grade->parts[0].verdict == Verdict::misconception);
+    CHECK(has(student_page(result), "</span> Wrong</span>"));
+    CHECK_FALSE(has(student_page(result), "Misconception"));
+    std::string theirs, instructors;
+    write_json(result, Audience::student, theirs);
+    write_json(result, Audience::instructor, instructors);
+    CHECK(has(theirs, R"("verdict":"misconception")") == (level == Feedback::hint));
+    CHECK(has(theirs, R"("verdict":"wrong")") == (level == Feedback::verdict));
+    CHECK(has(instructors, R"("verdict":"misconception")"));
+  }
+}
+
+TEST_CASE("who handed in nothing sees the numbers of their own", "[page]") {
+  auto document = JsonDocument::load("exercises/15-own-de-casteljau.json");
+  REQUIRE(document);
+  auto assignment = read_assignment(*document);
+  REQUIRE(assignment);
+  Examiner examiner(std::move(*assignment), "a secret of 16 bytes", *parse_time("2026-10-05T12:00:00Z"));
+  Student student;
+  student.id = "s17";
+  const std::string page = student_page(grade_student(examiner, student, {}));
+  CHECK(has(page, "Nothing was handed in"));
+  CHECK(has(page, "The numbers of this exercise"));
+  CHECK_FALSE(has(page, "class=\"run\""));
 }
 
 TEST_CASE("their run has what they typed, and by the right rule what follows from it", "[page]") {

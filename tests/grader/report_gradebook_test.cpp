@@ -50,6 +50,24 @@ TEST_CASE("Canvas: header, points possible, and a row that its importer finds th
   CHECK(rows[3][5].empty());
 }
 
+TEST_CASE("Canvas: the number of a participant in Moodle is nobody's ID") {
+  Examiner examiner = examiner_of(report_exercise("full"));
+  Student student = ada();
+  student.is_participant = true;
+  const auto rows = rows_of(report(format("canvas"), {grade_student(examiner, student, {})}));
+  CHECK(rows[2][1].empty());
+  CHECK(rows[2][2] == "0017");
+}
+
+TEST_CASE("Moodle: feedback has no code words") {
+  Examiner examiner = examiner_of(report_exercise("full"));
+  const std::string text = R"({"schema": "blossom.answers/1", "exercise": "test", "student": "s99", "answers": {}})";
+  const auto rows =
+      rows_of(report(format("moodle"), {grade_student(examiner, ada(), {submission(text, "circle.json")})}));
+  CHECK(rows[1].back().find("oreign-id") == std::string::npos);
+  CHECK(rows[1].back().find("Another name in the file (circle.json)") != std::string::npos);
+}
+
 TEST_CASE("Canvas: fractions are decimals with a point") {
   Examiner examiner = examiner_of(report_exercise("full"));
   Student student;

@@ -162,11 +162,11 @@ TEST_CASE("grades as text: a block for each student, then a table of scores") {
       "  C        correct  0.5/0.5\n"
       "\n"
       "Zo\u00eb: 0 % (0/2.5 points) in test\n"
-      "  P[1][0]  slip       0/1\n"
+      "  P[1][0]  slip       0/1  typed (2, 1)\n"
       "      Two numbers are exchanged: x and y.\n"
       "  P[1][1]  missing    0/1\n"
       "      No answer. The rule is P[1][1] = (1 - u) P[0][1] + u P[0][2].\n"
-      "  C        invalid  0/0.5\n"
+      "  C        invalid  0/0.5  typed x\n"
       "      The answer cannot be read: it must be an array of 2 numbers such as [1, \"2/5\"], not the text \"x\".\n"
       "  Note: \"k\" is not asked and was ignored.\n"
       "\n"
@@ -192,7 +192,7 @@ TEST_CASE("of an assignment the text has a block for each exercise, in its point
                              submission(answers_to("three", "{}"), "b.json")})}) ==
       "ann: 24 % (2.4/10 points) in one\n"
       "  P[1][0]  correct  4/4\n"
-      "  P[1][1]  slip     0/4\n"
+      "  P[1][1]  slip     0/4  typed (-3, 2)\n"
       "  C        missing  0/2\n"
       "  Late (a.json): 2 days late, handed in at 2026-10-02T12:00:00Z and due at 2026-10-01T00:00:00Z; it costs 40 % "
       "of the points.\n"
@@ -201,7 +201,8 @@ TEST_CASE("of an assignment the text has a block for each exercise, in its point
       "  Missing: nothing was handed in.\n"
       "\n"
       "ann: 16 % (2.4/15 points) in all\n"
-      "  Misplaced (b.json): \"three\" is no exercise of this assignment.\n"
+      "  Not part of this assignment (b.json): \"three\" is no exercise of this assignment, which has "
+      "\"one\", \"two\".\n"
       "\n");
 }
 

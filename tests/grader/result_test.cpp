@@ -222,7 +222,7 @@ TEST_CASE("a student's JSON has no more than the level of feedback; the instruct
         Course(R"(, "feedback": ")" + level + "\"", "", false).grade({handed_in("x", answers("a", swapped))});
     const auto student = json_of(result, Audience::student);
     CHECK(has(student, R"("points":0)"));
-    CHECK(has(student, R"("verdict":"misconception")") == (level != "none"));
+    CHECK(has(student, R"("verdict":"misconception")") == (level == "hint" || level == "full"));
     CHECK(has(student, "swapped-weights") == (level == "hint" || level == "full"));
     CHECK(has(student, "weights are swapped") == (level == "hint" || level == "full"));
     CHECK(has(student, "6/5") == (level == "full"));
@@ -246,6 +246,20 @@ TEST_CASE("whatever was typed for an answer is in the instructor's JSON, and is 
   }
 }
 
+TEST_CASE("without times the last one is the last by name, as people and systems number files") {
+  Course course("", "", false);
+  const Lines in_order = {"s1/2/answers.json",    "s1/10/answers.json",  "s1/answers.json",   "s1/answers (1).json",
+                          "s1/answers (2).json",  "s1/answers-1.json",   "s1/answers-2.json", "s1/answers-10.json",
+                          "s1/answers-010a.json", "s1/answers-10b.json", "s1/b/answers.json", "s1/b-2/answers.json"};
+  for (std::size_t last = 1; last < in_order.size(); ++last)
+    for (std::size_t i = 0; i < last; ++i) {
+      const auto result =
+          course.grade({handed_in(in_order[last], answers("a", right)), handed_in(in_order[i], answers("a", wrong))});
+      INFO(in_order[i] << ", " << in_order[last]);
+      CHECK(result.exercises[0].source == in_order[last]);
+    }
+}
+
 TEST_CASE("an ID makes a file name that is safe, readable, and its own") {
   CHECK(file_name_of("s17") == "s17");
   CHECK(file_name_of("ada.lovelace@x-y_z") == "ada.lovelace@x-y_z");
@@ -255,6 +269,9 @@ TEST_CASE("an ID makes a file name that is safe, readable, and its own") {
   CHECK(file_name_of("%41") == "%2541");
   CHECK(file_name_of("Bézier") == "B%C3%A9zier");
   CHECK(file_name_of("") != "");
+  for (const char* device : {"con", "AUX", "nul.1", "Com3", "lpt9.x"}) CHECK(file_name_of(device)[0] == '%');
+  for (const char* plain : {"conny", "com", "com10", "x.con"}) CHECK(file_name_of(plain) == plain);
+  CHECK(file_name_of("aux.json") == "%61ux.json");
   const std::string one = file_name_of(std::string(300, 'x') + "1"), two = file_name_of(std::string(300, 'x') + "2");
   CHECK(one.size() <= 200);
   CHECK(one != two);

@@ -134,21 +134,22 @@ TEST_CASE("a grading worksheet and a list of users exported by Moodle are roster
 }
 
 TEST_CASE("every mistake of a roster is told at once, with its line", "[roster]") {
-  CHECK(mistakes("id,name,due\n"
-                 "s17,Ada,tomorrow\n"
-                 ",Grace,\n"
-                 "s18,Hopper, Grace,2026-10-01T00:00:00Z\n"
-                 "S17,Emmy,\n"
-                 "s17,\"Sophie\nGermain\",\n"
-                 "s20,\"open\n") ==
-        "class.csv:2: due must be a time with its offset from UTC such as 2026-10-01T23:59:00+02:00, not "
-        "\"tomorrow\"\n"
-        "class.csv:3: no id for \"Grace\"\n"
-        "class.csv:4: due must be a time with its offset from UTC such as 2026-10-01T23:59:00+02:00, not \"Grace\"\n"
-        "class.csv:4: 4 cells where the header has 3; a cell that has a comma in it stands in quotation marks\n"
-        "class.csv:5: the id \"S17\" stands in line 2 already, ignoring case; each student has an id of their own\n"
-        "class.csv:6: the id \"s17\" stands in line 2 already, ignoring case; each student has an id of their own\n"
-        "class.csv:8: a quotation mark that is never closed; end the cell with \"\n");
+  CHECK(
+      mistakes("id,name,due\n"
+               "s17,Ada,tomorrow\n"
+               ",Grace,\n"
+               "s18,Hopper, Grace,2026-10-01T00:00:00Z\n"
+               "S17,Emmy,\n"
+               "s17,\"Sophie\nGermain\",\n"
+               "s20,\"open\n") ==
+      "class.csv:2: due must be a time with its offset from UTC such as \"2026-10-01T23:59:00+02:00\", not "
+      "\"tomorrow\"\n"
+      "class.csv:3: no id for \"Grace\"\n"
+      "class.csv:4: due must be a time with its offset from UTC such as \"2026-10-01T23:59:00+02:00\", not \"Grace\"\n"
+      "class.csv:4: 4 cells where the header has 3; a cell that has a comma in it stands in quotation marks\n"
+      "class.csv:5: the id \"S17\" stands in line 2 already, ignoring case; each student has an id of their own\n"
+      "class.csv:6: the id \"s17\" stands in line 2 already, ignoring case; each student has an id of their own\n"
+      "class.csv:8: a quotation mark that is never closed; end the cell with \"\n");
   CHECK(mistakes("id\n" + std::string(65, 'x') + "\n") ==
         "class.csv:2: the id \"" + std::string(40, 'x') + "...\" is too long; at most 64 bytes\n");
   CHECK(mistakes("") == "class.csv: is empty; the first row has the names of the columns\n");
@@ -191,4 +192,39 @@ TEST_CASE("a hundred thousand mistakes are 10,000 lines", "[roster]") {
   for (int i = 0; i < 50'000; ++i) text += "same,soon\n";
   const test::Scratch folder;
   CHECK(Roster::load(folder.write("class.csv", text)).diagnostics.size() == 10'000);
+}
+
+TEST_CASE("a learning platform's number is looked for among such numbers alone", "[roster]") {
+  const auto match = [](const Class& c, std::vector<StudentKey> keys) {
+    const Roster::Match one = c.roster->match(keys);
+    return one.index ? c.roster->student(*one.index).id : one.ambiguous ? "ambiguous" : "nobody";
+  };
+  const auto number = [](std::string text) { return StudentKey{std::move(text), StudentKey::Kind::lms_number}; };
+  const Class c("id,name,lms id\n17,Ann,4711\n20,Bob,17\n21,Cem,21\n");
+  CHECK(match(c, {number("17")}) == "20");
+  CHECK(match(c, {{"17"}}) == "17");
+  CHECK(match(c, {number("20")}) == "nobody");
+  CHECK(match(c, {number("21")}) == "21");
+  CHECK(match(c, {{"bob_17_99_a"}, number("17")}) == "20");
+  CHECK(match(c, {{"17"}, number("17")}) == "ambiguous");
+  CHECK(match(c, {}) == "nobody");
+
+  // Where there are none, any column may have it, but only once.
+  const Class plain("id,name,login\n17,Ann,x\n20,Bob,17\n21,Cem,y\n");
+  CHECK(match(plain, {number("17")}) == "ambiguous");
+  CHECK(match(plain, {number("21")}) == "21");
+  CHECK(match(Class("Student,ID,SIS User ID,SIS Login ID,Section\nAnn,5,17,ann,A\nBob,17,6,bob,A\n"), {number("17")}) ==
+        "17");
+}
+
+TEST_CASE("a name is the same with its accents composed or apart", "[roster]") {
+  const Class c("id,name\n\u00c9va,E\n");
+  CHECK(c.found("E\u0301va") == "\u00c9va");
+  CHECK(c.found("e\u0301va") == "nobody");  // only A to Z have no case
+  CHECK(mistakes("id\n\u00c9va\nE\u0301va\n").find("stands in line 2 already") != std::string::npos);
+}
+
+TEST_CASE("a roster that is JSON is said to be", "[roster]") {
+  CHECK(mistakes(" [{\"id\": \"s17\"}]") ==
+        "class.csv: is JSON; a roster is CSV: a row of titles such as id,name and a row for each student\n");
 }

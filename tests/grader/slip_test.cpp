@@ -68,6 +68,64 @@ TEST_CASE("the only wrong value, from which others follow, is arithmetic") {
   CHECK(note(grade, "P[1][1]") == "unknown");
 }
 
+TEST_CASE("right values in fewer digits than are asked are rounded, not a slip of arithmetic") {
+  const char* const thirds = R"({"curve": {"degree": 2, "points": [[0, 1], [4, 2], [9, 10]]}, "u": "1/3"})";
+  const char* const all = R"([{"value": "P[1..2][*]", "points": 1}])";
+  // (4/3, 4/3), (17/3, 14/3), (25/9, 22/9)
+  const auto exact = grader_of(exercise_text("de_casteljau", thirds, all));
+  Grade grade = grade_answers(*exact, R"({"P[1][0]": [1.33, 1.3], "P[1][1]": [5.66, 4.667], "P[2][0]": [2.78, 2.44]})");
+  for (const char* name : {"P[1][0]", "P[1][1]", "P[2][0]"}) {
+    CHECK(note(grade, name) == "rounded");
+    CHECK(verdict(grade, name) == "wrong");
+    CHECK(part(grade, name).points == Exact(0));
+    CHECK(part(grade, name).feedback.find("give the fraction") != std::string::npos);
+  }
+  CHECK(!grade.explanation);
+  // On their own (1, 1), after which (23/9, 20/9) follows; one digit says nothing; nor is 1.34 what 4/3 rounds to.
+  grade = grade_answers(*exact, R"({"P[1][0]": [1, 1], "P[1][1]": ["17/3", "14/3"], "P[2][0]": [2.556, 2.222]})");
+  CHECK(note(grade, "P[2][0]") == "rounded");
+  for (const char* other : {"[1.3, 1.34]", "[1, 1.33]", "[1.4, 1.3]"})
+    CHECK(note(grade_answers(*exact, std::string(R"({"P[1][0]": )") + other + "}"), "P[1][0]") != "rounded");
+  const auto decimals = grader_of(exercise_text("de_casteljau", thirds, all, R"(, "tolerance": {"decimals": 3})"));
+  grade = grade_answers(*decimals, R"({"P[1][0]": [1.33, 1.333]})");
+  CHECK(note(grade, "P[1][0]") == "rounded");
+  CHECK(part(grade, "P[1][0]").feedback.find("give 3 decimals") != std::string::npos);
+}
+
+TEST_CASE("a misconception that the values made of given numbers contradict is not claimed") {
+  // The answers of somebody who has u = 3/4; with the weights swapped, their last levels would follow from their first.
+  const auto grader = shipped("15-own-de-casteljau");
+  auto level = grader.exercise().run.inputs.curve("curve").points;
+  std::string answers;
+  for (std::size_t r = 1; r <= 3; ++r)
+    for (std::size_t i = 0; i + r <= 3; ++i) {
+      level[i] = Exact::ratio(1, 4) * level[i] + Exact::ratio(3, 4) * level[i + 1];
+      // Their own points are others.
+      if (r == 1) level[i].x += Exact(1);
+      answers += (answers.empty() ? "" : ", ") + json_quote("P[" + std::to_string(r) + "][" + std::to_string(i) + "]") +
+                 ": [" + json_quote(level[i].x.to_string()) + ", " + json_quote(level[i].y.to_string()) + "]";
+    }
+  const Grade grade = grade_answers_to(grader, "{" + answers + "}");
+  REQUIRE(grade.explanation);
+  CHECK(grade.explanation->misconceptions.empty());
+  for (const PartGrade& made : grade.parts) CHECK(made.misconception.empty());
+  CHECK(part(grade, "P[2][0]").feedback.find("not your other values") != std::string::npos);
+}
+
+TEST_CASE("two misconceptions of one value each, in an answer that speaks against both, are not claimed") {
+  // u was misread as 0.35.
+  const auto grader = shipped("05-de-boor");
+  const Grade grade = grade_answers_to(grader, R"({"k": 4, "alpha[1][2]": "7/10", "P[1][2]": [0, 14],
+      "alpha[1][3]": "7/15", "P[1][3]": [14, 20], "alpha[1][4]": "2/15", "P[1][4]": [30, "52/3"],
+      "P[2][3]": ["49/5", "91/5"], "P[2][4]": ["86/5", "292/15"], "P[3][4]": ["319/25", "1403/75"]})");
+  REQUIRE(grade.explanation);
+  CHECK(grade.explanation->misconceptions.empty());
+  for (const char* name : {"P[2][4]", "P[3][4]"}) {
+    CHECK(verdict(grade, name) == "wrong");
+    CHECK(note(grade, name) == "unknown");
+  }
+}
+
 TEST_CASE("a value that a slip and a misconception both give") {
   const auto all =
       grader_of(exercise_text("de_casteljau", mirrored, R"([{"value": "P[1..2][*]", "points": 1}])", shares));
@@ -107,7 +165,8 @@ TEST_CASE("a voided part gives its points to everybody, or to nobody") {
     const Grade grade = grade_answers(*grader, answers);
     CHECK(verdict(grade, "P[1][0]") == first);
     CHECK(part(grade, "P[1][0]").points == Exact(2));
-    CHECK(part(grade, "P[1][0]").feedback == "This part was voided: everybody gets its points.");
+    CHECK(part(grade, "P[1][0]").feedback ==
+          "This part was voided: everybody whose answers could be read gets its points.");
     CHECK(part(grade, "P[1][1]").points == Exact(0));
     CHECK(part(grade, "P[1][1]").feedback == "This part was voided: it counts for nobody.");
     CHECK(grade.points == points);

@@ -77,6 +77,14 @@ TEST_CASE("every second from 1970 to 9999 comes back as it was written", "[time]
   }
 }
 
+TEST_CASE("of a day that does not exist it is told how many days the month has", "[time]") {
+  CHECK(time_problem("2026-11-31T00:00:00Z").find("November 2026 has 30 days") != std::string::npos);
+  CHECK(time_problem("2027-02-29T00:00:00Z").find("February 2027 has 28 days") != std::string::npos);
+  CHECK(time_problem("2026-13-01T00:00:00Z").starts_with("must be a time with its offset"));
+  CHECK(time_problem("2026-11-31").starts_with("must be a time with its offset"));
+  CHECK(time_problem("").starts_with("must be a time with its offset"));
+}
+
 TEST_CASE("a time in a document is read, or told", "[time]") {
   const auto document = JsonDocument::parse("a.json", R"({"due": "2026-10-01T23:59:00+02:00", "bad": "soon", "n": 3})");
   REQUIRE(document);

@@ -307,6 +307,43 @@ TEST_CASE("missing and invalid parts, with the reason") {
   CHECK(empty.score() == 0);
 }
 
+TEST_CASE("what cannot be read as a number is told with what to write") {
+  const auto grader = de_boor_grader();
+  const auto told = [&](const std::string& answer) {
+    return part(grade_answers(*grader, "{\"k\": " + json_quote(answer) + "}"), "k").feedback;
+  };
+  CHECK(told("3,625").find("a comma for its decimal point: write \"3.625\"") != std::string::npos);
+  CHECK(told("30 ").find("a blank in it: write \"30\"") != std::string::npos);
+  CHECK(told("four").find("no number such as 0.4") != std::string::npos);
+  CHECK(told("four").find("400") == std::string::npos);
+  CHECK(told(std::string(401, '7')).find("400 characters") != std::string::npos);
+}
+
+TEST_CASE("of a number that is near but not near enough the accuracy that is asked is told") {
+  const auto feedback = [](const std::string& tolerance, const std::string& k) {
+    const auto grader = grader_of(exercise_text("de_boor", de_boor_inputs, R"([{"value": "alpha[1][2]", "points": 1}])",
+                                                R"(, "tolerance": )" + tolerance));
+    return part(grade_answers(*grader, "{\"alpha[1][2]\": " + k + "}"), "alpha[1][2]").feedback;
+  };
+  // alpha[1][2] = (2/5 - 0) / (1/2 - 0) = 4/5
+  CHECK(feedback(R"({"decimals": 3})", "0.804").find("Near, but 3 decimals are asked.") != std::string::npos);
+  CHECK(feedback(R"({"significant": 1})", "0.9").find("Near, but 1 significant digit is asked.") != std::string::npos);
+  CHECK(feedback(R"({"absolute": 0.001})", "0.81").find("off by at most 0.001") != std::string::npos);
+  CHECK(feedback(R"({"relative": 0.01})", "0.82").find("off by at most 1 %") != std::string::npos);
+  CHECK(feedback(R"({"decimals": 3})", "0.82").find("Near") == std::string::npos);
+  CHECK(feedback("\"exact\"", "0.804").find("Near") == std::string::npos);
+}
+
+TEST_CASE("a file that is no answers file is told in one sentence") {
+  const auto grader = de_boor_grader();
+  const auto reason = [&](const std::string& text) { return grade_text(*grader, text).reason; };
+  CHECK(reason(R"({"schema": "blossom.answers/1", "exercise": "test", "answer": {}})") ==
+        "\"answers\" is missing; did you mean it by \"answer\"?");
+  CHECK(reason(R"({"schema": "blossom.exercise/1", "id": "test"})") == "is an exercise, not an answers file");
+  CHECK(reason(std::string("PK\x03\x04\0\0", 6)).find("zip archive or an office document") != std::string::npos);
+  CHECK(reason("%PDF-1.7").find("a PDF document, not JSON") != std::string::npos);
+}
+
 TEST_CASE("an answer nobody asked is a note, and costs nothing") {
   const auto grader = de_boor_grader();
   const Grade grade = grade_answers(*grader, R"({"P[1][02]": 1, "k": 4, "zzz\u001b[2J": 2})");
@@ -319,10 +356,13 @@ TEST_CASE("an answer nobody asked is a note, and costs nothing") {
       R"({"P[0][1]": [0, 1], "P[9][9]": 1, "p[1][3]": 1, "P[1,3]": 1, "alhpa[1][3]": 1, "U[3]": 0, "P13": 1})");
   CHECK(other.notes ==
         std::vector<std::string>{"\"P[0][1]\" is given and was ignored", "\"P[9][9]\" is not asked and was ignored",
-                                 "\"p[1][3]\" is not asked and was ignored; did you mean \"P[1][3]\"?",
                                  "\"P[1,3]\" is not asked and was ignored; did you mean \"P[1][3]\"?",
                                  "\"alhpa[1][3]\" is not asked and was ignored; did you mean \"alpha[1][3]\"?",
                                  "\"U[3]\" is given and was ignored", "\"P13\" is not asked and was ignored"});
+  CHECK(part(other, "P[1][3]").feedback.starts_with("No answer under P[1][3]; you wrote \"p[1][3]\"."));
+  CHECK(part(other, "P[1][3]").note == "letter-case");
+  CHECK(verdict(other, "P[1][3]") == "missing");
+  CHECK(part(other, "P[1][2]").note.empty());
   std::string many = "{";
   for (int i = 0; i < 100; ++i) many += (i > 0 ? ", \"x" : "\"x") + std::to_string(i) + "\": 1";
   CHECK(grade_answers(*grader, many + "}").notes.back() == "90 more were ignored");

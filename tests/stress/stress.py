@@ -25,8 +25,9 @@ import threading
 import time
 from fractions import Fraction
 
-import generate
-import recount
+sys.dont_write_bytecode = True  # the sources stay as they are
+import generate  # noqa: E402
+import recount  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BLOCK = 500  # submissions to one exercise in a row
