@@ -14,6 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int most_attempts = 1000;
+
 // Whoever finishes removes the lock's file while holding it: somebody who had opened it by then holds a lock on
 // nothing.
 bool is_still(int fd, const fs::path& file) {
@@ -36,10 +38,16 @@ bool is_alone(const fs::path& file) {
 FolderLock::FolderLock(const fs::path& out, const fs::path& work) : out_(out), work_(work), file_(work / "lock") {
   std::error_code error;
   made_out_ = !fs::exists(out, error);
-  for (;;) {
-    make_folder(work_);
+  for (int attempt = 1;; ++attempt) {
+    try {
+      make_folder(work_);
+    } catch (const std::system_error& missing) {
+      // Somebody who finished removed `out` after it was found or made; but a link to nowhere is missing for ever.
+      if (missing.code() != std::errc::no_such_file_or_directory || attempt == most_attempts) throw;
+      continue;
+    }
     fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-    if (fd_ < 0 && errno == ENOENT) continue;  // removed since it was made
+    if (fd_ < 0 && errno == ENOENT && attempt < most_attempts) continue;  // removed since it was made
     if (fd_ < 0) throw std::system_error(errno, std::generic_category(), file_.string());
     struct flock lock {};
     lock.l_type = F_WRLCK;
