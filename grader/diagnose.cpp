@@ -103,8 +103,7 @@ const MistakenValues::Singles& MistakenValues::singles() const {
     for (std::size_t m = 0; m < list.size() && m < most_misconceptions; ++m) {
       predict(held(m), {&list[m]}, singles_->of_part);
       for (const ValueId v : plan_->order) {
-        site.go_to(v);
-        const auto candidates = list[m].wrong(site);
+        const auto candidates = site.candidates(list[m], v);
         if (candidates.empty()) continue;
         singles_->act_on[v] |= held(m);
         if (plan_->part_of[v] == ReplayPlan::not_asked) continue;

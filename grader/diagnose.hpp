@@ -34,6 +34,11 @@ class OwnSite final : public Site {
  public:
   OwnSite(const Exercise& exercise, const Replayed& replayed) : exercise_(&exercise), replayed_(&replayed) {}
   void go_to(ValueId v) { value_ = v; }
+  // What somebody with this misconception makes of v.
+  std::vector<Numbers<Exact>> candidates(const Misconception& misconception, ValueId v) {
+    go_to(v);
+    return misconception.wrong(*this);
+  }
 
   const Trace<Exact>& trace() const override { return exercise_->run.trace; }
   const Inputs<Exact>& inputs() const override { return exercise_->run.inputs; }

@@ -145,8 +145,7 @@ void Explainer::Case::compare_with_own() {
         const ValueId v = part(k).value;
         if ((hidden_[k] & held(m)) != 0 || fit(m, k).covered || !replayed->operands_changed(v)) continue;
         if ((predictions_->act_on()[v] & held(m)) == 0) continue;
-        site.go_to(v);
-        for (const auto& candidate : list[m].wrong(site))
+        for (const auto& candidate : site.candidates(list[m], v))
           compare_with_own(m, k, candidate, replayed == symptoms_->meant);
       }
     }

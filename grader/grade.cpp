@@ -11,24 +11,6 @@ constexpr std::string_view verdict_names[verdict_count] = {"correct", "carried",
                                                            "wrong",   "missing", "invalid"};
 constexpr std::size_t longest_exact = 20;  // characters; 64 bits hold what fits in them
 
-// A number of many digits goes on in double precision: what is made of it must not grow from step to step.
-Numbers<Exact> to_carry_on(const Typed& typed) {
-  Numbers<Exact> numbers;
-  for (std::size_t i = 0; i < typed.numbers.size(); ++i)
-    numbers.push_back(typed.texts[i].size() <= longest_exact &&
-                              typed.texts[i].find_first_of("eE") == std::string_view::npos
-                          ? typed.numbers[i]
-                          : Exact::approximate(typed.numbers[i].to_double()));
-  return numbers;
-}
-
-// A list stands in for a right one only if it has its form: as many numbers, in ascending order.
-bool can_carry_on(const Part& part, const Typed& typed) {
-  if (!typed.problem.empty()) return false;
-  if (part.kind != ValueKind::list) return true;
-  return typed.numbers.size() == part.right.size() && std::ranges::is_sorted(typed.numbers);
-}
-
 std::vector<double> roundings(const Part& part, const Typed& typed) {
   if (part.tolerance.kind == Tolerance::Kind::exact) return {};
   std::vector<double> rounding;
@@ -73,6 +55,22 @@ std::string sentence(std::string_view text) {
 }
 
 }  // namespace
+
+Numbers<Exact> to_carry_on(const Typed& typed) {
+  Numbers<Exact> numbers;
+  for (std::size_t i = 0; i < typed.numbers.size(); ++i)
+    numbers.push_back(typed.texts[i].size() <= longest_exact &&
+                              typed.texts[i].find_first_of("eE") == std::string_view::npos
+                          ? typed.numbers[i]
+                          : Exact::approximate(typed.numbers[i].to_double()));
+  return numbers;
+}
+
+bool can_carry_on(const Part& part, const Typed& typed) {
+  if (!typed.problem.empty()) return false;
+  if (part.kind != ValueKind::list) return true;
+  return typed.numbers.size() == part.right.size() && std::ranges::is_sorted(typed.numbers);
+}
 
 std::string_view verdict_name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
 

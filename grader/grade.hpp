@@ -37,6 +37,12 @@ inline bool shows_notes(Feedback level) { return level == Feedback::hint || leve
 // What is said of a misconception: its title and its advice, as sentences.
 std::string advice_of(const Misconception&);
 
+// What goes on for a typed value. A number of many digits does so in double precision: what is made of it must not grow
+// from step to step.
+Numbers<Exact> to_carry_on(const Typed&);
+// A list stands in for a right one only if it has its form: as many numbers, in ascending order.
+bool can_carry_on(const Part&, const Typed&);
+
 struct PartGrade {
   Verdict verdict = Verdict::missing;
   Exact points = 0;

@@ -252,6 +252,11 @@ class StudentGrading {
 
 std::string as_sentence(std::string text) { return text.ends_with('?') ? text : std::move(text) + "."; }
 
+bool concerns_student(Incident::Kind kind) {
+  using Kind = Incident::Kind;
+  return kind != Kind::foreign_id && kind != Kind::unlisted && kind != Kind::refused;
+}
+
 std::string_view incident_name(Incident::Kind kind) { return incident_names[static_cast<std::size_t>(kind)]; }
 
 double StudentResult::score() const { return max_points == Exact(0) ? 0 : (points / max_points).to_double(); }

@@ -39,6 +39,8 @@ struct Incident {
 };
 // The text with a full stop behind it, unless it ends in a question.
 std::string as_sentence(std::string text);
+// Whether it is the student's to know: who else's a file may be, and what else lay beside it, is the instructor's.
+bool concerns_student(Incident::Kind);
 std::string_view incident_name(Incident::Kind);  // "late", "foreign-id", ...
 
 struct ExerciseResult {

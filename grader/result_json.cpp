@@ -208,9 +208,11 @@ void write_json(const StudentResult& result, Audience audience, std::string& out
   out += ']';
   write_key("incidents", out);
   out += '[';
-  for (std::size_t i = 0; i < result.incidents.size(); ++i) {
-    const Incident& incident = result.incidents[i];
-    out += i > 0 ? ",{" : "{";
+  bool first = true;
+  for (const Incident& incident : result.incidents) {
+    if (audience == Audience::student && !concerns_student(incident.kind)) continue;
+    out += first ? "{" : ",{";
+    first = false;
     write_member("kind", incident_name(incident.kind), out);
     if (!incident.exercise.empty()) write_member("exercise", incident.exercise, out);
     if (!incident.source.empty()) write_member("source", incident.source, out);

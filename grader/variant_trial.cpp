@@ -1,40 +1,13 @@
 #include "grader/variant_trial.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "algorithms/narrate.hpp"
 #include "base/json_write.hpp"
+#include "grader/diagnose.hpp"
 
 namespace blossom {
 namespace {
-
-constexpr std::size_t most_candidates = 4;  // of one misconception that somebody may hold throughout
-
-// A value as it comes out for somebody with other values before it. Where those make one impossible, the right one
-// stands.
-class ReplayedSite final : public Site {
- public:
-  ReplayedSite(const Exercise& exercise, const Replayed& replayed) : exercise_(&exercise), replayed_(&replayed) {}
-
-  std::vector<Numbers<Exact>> candidates(const Misconception& misconception, ValueId v) {
-    value_ = v;
-    return misconception.wrong(*this);
-  }
-
-  const Trace<Exact>& trace() const override { return exercise_->run.trace; }
-  const Inputs<Exact>& inputs() const override { return exercise_->run.inputs; }
-  ValueId value() const override { return value_; }
-  NumbersView<Exact> numbers(ValueId v) const override {
-    const auto own = replayed_->own(v);
-    return own.empty() ? trace().numbers(v) : own;
-  }
-
- private:
-  const Exercise* exercise_;
-  const Replayed* replayed_;
-  ValueId value_ = absent;
-};
 
 // Whether these numbers would be accepted as the part's answer.
 bool accepted(const Part& part, NumbersView<Exact> typed) {
@@ -269,7 +242,7 @@ bool Trial::check_misconceptions(const Unmet& unmet) {
   const auto& trace = exercise_->run.trace;
   Replayed replayed(*exercise_, prepared_->plan);
   const Replayed right(*exercise_, prepared_->plan);
-  ReplayedSite own(*exercise_, replayed), locally(*exercise_, right);
+  OwnSite own(*exercise_, replayed), locally(*exercise_, right);
   const std::vector<Given> nothing(parts.size());
   for (std::size_t m = 0; m < misconceptions.size(); ++m) {
     // Only here, with everything before it right.

@@ -107,7 +107,7 @@ bool is_foreign(const fs::path& out) {
 // Removes what a run of any options leaves, and nothing else; run.json, which says that it may, stays.
 void clear(const fs::path& out) {
   for (const auto* name : {"results.jsonl", "incidents.csv", "summary.json", "class.html", "assignment.json",
-                           "submissions.jsonl", "roster.csv", "changes.csv"})
+                           "submissions.jsonl", "roster.csv", "changes.csv", "changes.csv.unfinished"})
     fs::remove(out / name);
   for (const auto* name : {"class", "students"}) fs::remove_all(out / name);
   for (const ReportFormat* format : report_formats()) {

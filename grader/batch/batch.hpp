@@ -1,15 +1,17 @@
 #pragma once
 // A class: all that was handed in, graded and written to a folder.
 //
-//   results.jsonl          a line for each student (blossom.result/1), in the order of the roster; for the instructor
-//   incidents.csv          all that is late, missing, duplicate, unreadable, unlisted, failed, refused; nothing is
-//   dropped summary.json           counts, means, figures of the class (blossom.summary/1) class.html             the
-//   class as a page for the instructor (page/class_page.hpp), its further pages in class/ students/ID.json .html what a
-//   student may see; in folders of two hexadecimal digits where there are more than 5000 gradebook.FORMAT.EXT   of each
-//   format asked for whose scope is the course; FORMAT/ID.EXT of the others assignment.json        the assignment with
-//   its exercises as they were graded; submissions.jsonl, what was handed in; roster.csv             the class as it
-//   was: all that regrading needs run.json               what all this was made of (manifest.hpp) .work/ while it runs:
-//   spooled submissions and finished portions
+//   results.jsonl         a line for each student (blossom.result/1), in the order of the class; for the instructor
+//   incidents.csv         all that is late, missing, duplicate, unreadable, unlisted, failed, refused; nothing is lost
+//   summary.json          counts, means, figures of the class (blossom.summary/1)
+//   class.html            the class as a page for the instructor (page/class_page.hpp); its further pages in class/
+//   students/ID.json      what a student may see, and ID.html; in folders of two hexadecimal digits above 5000 students
+//   gradebook.FORMAT.EXT  of each format asked for whose scope is the course; FORMAT/ID.EXT of the others
+//   assignment.json       the assignment with its exercises as they were graded,
+//   submissions.jsonl     what was handed in, and
+//   roster.csv            the class as it was: all that regrading needs
+//   run.json              what all this was made of (manifest.hpp)
+//   .work/                while it runs: spooled submissions and finished portions
 //
 // It works in three stages: submissions are spooled by student (intake.hpp), portions of the class are graded by worker
 // processes (grading.hpp), and what they made is put together (collate.hpp). Each finished portion is a file that is

@@ -1,8 +1,7 @@
 #pragma once
 // The second stage of a class: students are graded by workers, portion by portion. A finished portion is one file,
 //
-//   portions/NUMBER    results, incidents and rows of each gradebook, of portion_size students in the order of the
-//   class
+//   portions/NUMBER    results, incidents and gradebook rows of portion_size students, in the order of the class
 //
 // and its students' own files are in their places by then.
 

@@ -11,10 +11,8 @@
 // zip archive that has them only in the old form, which knows no time zone, are read as UTC.
 //
 // JSON Lines, one submission a line, made by whoever runs the course, who is trusted about "student":
-//   {"student": "s17", "submitted"?: time, "source"?: text, "submission": the answers file as an object, or as a
-//   string}
-//   {"student": "s17", "submitted"?: time, "source"?: text, "schema": "blossom.answers/1", "exercise": ..., "answers":
-//   ...}
+//   {"student": "s17", "submitted"?: time, "source"?: text, "submission": the answers file, object or string}
+//   {"student": "s17", "submitted"?: time, "source"?: text, "schema": "blossom.answers/1", "exercise", "answers"}
 // Of the second form the text is the line itself, with blanks where "student", "submitted" and "source" stood.
 
 #include <filesystem>

@@ -18,7 +18,8 @@
 
 namespace blossom {
 
-inline constexpr std::size_t longest_line = 256u << 10;  // more is refused, and not held in memory
+inline constexpr std::size_t longest_line = 256u
+                                            << 10;  // more is refused, and not held in memory; read_line takes less
 
 // Of a file: the lines that begin in [begin, end).
 struct Extent {

@@ -59,8 +59,7 @@ class WorkerProcess {
   double processor_seconds() const;  // that it has had
   // Ends it and says what it had died of before, if it had: "died of signal 11 (SIGSEGV)".
   std::string end();
-  // After end(): whether SIGKILL ended it, which nothing that it does itself can be answered with but running out of
-  // the machine's memory.
+  // After end(): whether SIGKILL ended it. It can bring that on itself only by using up the machine's memory.
   bool was_killed() const { return was_killed_; }
 
  private:

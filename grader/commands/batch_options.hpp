@@ -73,7 +73,7 @@ inline void add_batch_options(CLI::App& app, BatchWords& words) {
   app.add_flag("--file-times", words.file_times,
                "a file's own time is when it was handed in; otherwise files of folders and archives have none");
   app.add_flag("--fresh", words.fresh, "results of another run in DIR are removed first");
-  app.add_flag("--no-sandbox", words.no_sandbox, "workers are not closed off; for finding mistakes");
+  app.add_flag("--no-sandbox", words.no_sandbox, "workers are not closed off; for debugging the grader");
 }
 
 // On a terminal, and only when it takes longer than a second.

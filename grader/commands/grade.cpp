@@ -298,8 +298,11 @@ int grade_all(const Given& given) {
   }
   if (!given.student.empty()) who.student.id = given.student;
   if (!given.submitted.empty()) who.submitted = parse_time(given.submitted);
+  const bool has_secret = !secret.empty();
   Examiner examiner(std::move(*assignment), std::move(secret), read_now(given.now));
   if (!one_student) refuse_variants(examiner);
+  for (std::size_t i = 0; i < examiner.assignment().items.size(); ++i)
+    if (!has_secret && examiner.varies(i)) return complain(examiner.grader(i, "nobody").diagnostics);
   return one_student ? grade_one_student(examiner, given, format, who) : grade_files(examiner, given, format);
 }
 

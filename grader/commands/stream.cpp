@@ -30,7 +30,7 @@ A line:
   {"student": "s17", "submission": the answers file, as an object or as a string}
 
 A line that cannot be graded gives an object, too: its exercise is "", its score 0, and it has the reason and the first
-16 digits of the line's SHA-256. At most 256 KiB of a line are read.
+16 digits of the line's SHA-256. A line has at most 132 KiB, the answers in it at most 64 KiB.
 
 Exit status: 0 every line has its object; 1 the assignment, the secret or the input's name is at fault; 2 wrong usage;
 3 the machine is at fault (memory, output).)";
@@ -149,7 +149,8 @@ int grade(const Given& given) {
   options.sandboxed = !given.no_sandbox;
   Workers workers([&](std::string_view item, std::string& line) { grade_line(examiner, item, line); }, options);
   if (!workers.open_because().empty())
-    std::fprintf(stderr, "blossom-grade: %s\n", printable(workers.open_because()).c_str());
+    std::fprintf(stderr, "blossom-grade: the workers are not wholly closed off: %s\n",
+                 printable(workers.open_because()).c_str());
   const StreamCounts counts = grade_stream(reader, workers, [&](std::string_view lines) { output.write(lines); });
   output.finish();
   if (counts.ungraded > 0)
@@ -178,9 +179,7 @@ void set_up(CLI::App& app, int& status) {
   app.add_option("--secret-file", given->secret_file, "the course's secret, which variants are drawn with")
       ->option_text("FILE");
   app.add_option("--now", given->now, "the time that decides which feedback is given (default: the clock's)")
-      ->check([](const std::string& text) {
-        return parse_time(text) ? std::string() : "must be a time such as 2026-10-01T23:59:00+02:00";
-      })
+      ->check([](const std::string& text) { return parse_time(text) ? std::string() : time_problem(text); })
       ->option_text("TIME");
   app.add_flag("--no-sandbox", given->no_sandbox, "grade in processes that are not closed off");
   app.footer(manual);
@@ -190,7 +189,7 @@ void set_up(CLI::App& app, int& status) {
 }  // namespace
 
 const GradeCommand& command_stream() {
-  static const GradeCommand command{"stream", "Grade JSON Lines, for many cores and machines", 30, set_up};
+  static const GradeCommand command{"stream", "Grade JSON Lines, for many cores and machines", 35, set_up};
   return command;
 }
 

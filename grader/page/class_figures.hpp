@@ -107,7 +107,7 @@ class Fingerprints {
 struct ClassFigures {
   std::string title, assignment;
   std::uint64_t students = 0, with_work = 0, late = 0;
-  double sum_of_scores = 0, sum_of_points = 0, max_points = 0;
+  double sum_of_scores = 0;
   std::array<std::uint64_t, histogram_bins> histogram{};
   std::array<std::uint64_t, fine_bins + 1> fine{};
   std::vector<std::string> exercises;

@@ -13,7 +13,7 @@ namespace blossom {
 
 // Histogram of scores; the hardest cells; misconceptions by count with a typical example; item statistics (difficulty:
 // mean share of points; discrimination: correlation of a part's share with the rest of the score); identical answers
-// and other submissions worth a look; a table of students with links.
+// (as typed: 0.5 is not 1/2) and other submissions worth a look; a table of students with links.
 class ClassStatistics {
  public:
   // Takes each file of the page as soon as it is whole, by its path relative to the folder of results: "class.html"

@@ -101,11 +101,16 @@ void Correlation::add(double x, double y) {
 double Correlation::value() const { return std::clamp(xy_ / std::sqrt(xx_ * yy_), -1.0, 1.0); }
 
 double ClassFigures::quantile(double share) const {
-  const auto wanted = share * static_cast<double>(students);
+  // Where the share falls between two scores it is their mean (Hyndman & Fan, 1996, definition 2).
+  const double wanted = share * static_cast<double>(students);
   std::uint64_t before = 0;
   for (std::size_t i = 0; i <= fine_bins; ++i) {
     before += fine[i];
-    if (before > 0 && static_cast<double>(before) >= wanted) return static_cast<double>(i) / fine_bins;
+    if (before == 0 || static_cast<double>(before) < wanted) continue;
+    std::size_t next = i;
+    if (static_cast<double>(before) == wanted)
+      for (next = i + 1; next < fine_bins && fine[next] == 0;) ++next;
+    return static_cast<double>(i + next) / 2 / fine_bins;
   }
   return 0;
 }
@@ -222,7 +227,7 @@ struct ClassStatistics::Figures {
     if (!counted->example.student.empty() || answer == nullptr) return;
     // Of what the student was told, the right value: the advice is the same for everybody.
     const std::string told = text_of(part, "feedback");
-    const std::size_t right = told.find("Right is ");
+    const std::size_t right = told.rfind("Right is ");
     counted->example = {cut(row.id),        row.page,
                         exercise,           text_of(part, "value"),
                         cut(flat(*answer)), right == std::string::npos ? std::string() : cut(told.substr(right)),
@@ -322,8 +327,6 @@ void ClassStatistics::add(const Json& result, std::string_view page) {
   ++all.students;
   all.with_work += any ? 1 : 0;
   all.sum_of_scores += score;
-  all.sum_of_points += row.points;
-  all.max_points = std::max(all.max_points, row.max_points);
   ++all.histogram[std::min(histogram_bins - 1, static_cast<std::size_t>(score * histogram_bins + 1e-9))];
   ++all.fine[static_cast<std::size_t>(std::lround(score * fine_bins))];
   f.rows.push_back(std::move(row));

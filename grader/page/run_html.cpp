@@ -88,8 +88,7 @@ class RunHtml {
         .append(": picture of this step\"></svg></figure>\n");
   }
 
-  // ---- the table of steps
-  // --------------------------------------------------------------------------------------------
+  // ---- the table of steps ----
 
   void steps() {
     out_ +=
@@ -183,8 +182,7 @@ class RunHtml {
     out_ += " " + sign_html(sign_of(run_.standing(v))) + "</p>";
   }
 
-  // ---- the triangular scheme
-  // -----------------------------------------------------------------------------------------
+  // ---- the triangular scheme ----
 
   void tableau() {
     const auto& trace = run_.trace();

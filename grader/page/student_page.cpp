@@ -62,13 +62,12 @@ class StudentPage {
     return printable(std::string_view(source).substr(source.rfind('/') + 1));
   }
 
-  // What concerns the student; who else's the file may be, and what else was in the archive, does not.
   void incidents(std::string_view exercise_id) {
     for (const Incident& incident : result_.incidents) {
       using Kind = Incident::Kind;
       const Kind kind = incident.kind;
-      if (incident.exercise != exercise_id || kind == Kind::foreign_id || kind == Kind::unlisted ||
-          kind == Kind::refused || kind == Kind::late || (kind == Kind::missing && !exercise_id.empty()))
+      if (incident.exercise != exercise_id || !concerns_student(kind) || kind == Kind::late ||
+          (kind == Kind::missing && !exercise_id.empty()))
         continue;
       const std::string_view what = kind == Kind::duplicate    ? "Handed in more than once: "
                                     : kind == Kind::unreadable ? "Not readable: "

@@ -12,7 +12,7 @@ namespace blossom {
 std::string student_page(const StudentResult&);
 
 // Text as it may stand in HTML, in an element or a quoted attribute: & < > " ' are escaped, control characters and
-// invalid UTF-8 become U+FFFD. JSON inside a <script> also escapes < as \u003C.
+// invalid UTF-8 become U+FFFD.
 std::string html_escape(std::string_view);
 
 }  // namespace blossom

@@ -7,12 +7,11 @@
 namespace blossom {
 namespace {
 
-constexpr int digits = 7;                           // of decimals on the page
-constexpr std::size_t longest_fraction = 24;        // characters; longer ones are shown as decimals
-constexpr std::size_t longest_typed = 80;           // characters of an answer that are shown
-constexpr std::uint32_t all_steps_up_to = 80;       // longer runs are told by what is asked
-constexpr std::size_t most_steps = 200;             // that are told
-constexpr std::size_t longest_carried_number = 20;  // as the grader has it: longer ones go on in double precision
+constexpr int digits = 7;                      // of decimals on the page
+constexpr std::size_t longest_fraction = 24;   // characters; longer ones are shown as decimals
+constexpr std::size_t longest_typed = 80;      // characters of an answer that are shown
+constexpr std::uint32_t all_steps_up_to = 80;  // longer runs are told by what is asked
+constexpr std::size_t most_steps = 200;        // that are told
 
 std::string shortened(std::string text) {
   std::ranges::replace(text, '\n', ' ');
@@ -28,22 +27,6 @@ std::string shortened(std::string text) {
 bool is_plain(const Json& json) { return json.kind == Json::Kind::number || json.kind == Json::Kind::string; }
 
 bool is_decimal(std::string_view typed) { return typed.find_first_of(".eE") != std::string_view::npos; }
-
-Numbers<Exact> to_carry_on(const Typed& typed) {
-  Numbers<Exact> numbers;
-  for (std::size_t i = 0; i < typed.numbers.size(); ++i)
-    numbers.push_back(typed.texts[i].size() <= longest_carried_number &&
-                              typed.texts[i].find_first_of("eE") == std::string_view::npos
-                          ? typed.numbers[i]
-                          : Exact::approximate(typed.numbers[i].to_double()));
-  return numbers;
-}
-
-// A list of another form is shown, but the right one goes on.
-bool can_carry_on(const Part& part, const Typed& typed) {
-  return part.kind != ValueKind::list ||
-         (typed.numbers.size() == part.right.size() && std::ranges::is_sorted(typed.numbers));
-}
 
 // What came of decimals is shown in decimals.
 Exact shown(const Exact& x, bool decimal) {

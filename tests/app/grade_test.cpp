@@ -207,7 +207,9 @@ TEST_CASE("What is graded as one student's needs to be told whose it is") {
   }
 }
 
-TEST_CASE("--out writes the whole report or leaves the file as it was; --now decides what is shown") {
+TEST_CASE(
+    "A report that goes to a file with --out is written whole, or leaves the file as it was; --now decides what is "
+    "shown") {
   const Scratch scratch;
   const auto out = scratch.write("report", "old");
   const std::string perfect = "exercises/demo-class/perfect.json", slip = "exercises/demo-class/early-slip.json";

@@ -218,8 +218,8 @@ TEST_CASE("a student's JSON has no more than the level of feedback; the instruct
   const std::string swapped = R"(["3/5", "9/5"])";  // a misconception, with advice
   for (const std::string level : {"none", "verdict", "hint", "full"}) {
     INFO(level);
-    const auto result =
-        Course(R"(, "feedback": ")" + level + "\"", "", false).grade({handed_in("x", answers("a", swapped))});
+    Course course(R"(, "feedback": ")" + level + "\"", "", false);  // which the result points into
+    const auto result = course.grade({handed_in("x", answers("a", swapped))});
     const auto student = json_of(result, Audience::student);
     CHECK(has(student, R"("points":0)"));
     CHECK(has(student, R"("verdict":"misconception")") == (level == "hint" || level == "full"));

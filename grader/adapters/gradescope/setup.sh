@@ -15,9 +15,10 @@ install() {
 
 if [[ -f "$program" ]]; then
   chmod +x "$program"
-  "$program" --version >/dev/null 2>&1 || install libarchive13 libseccomp2 libssl3
+  "$program" --version >/dev/null 2>&1 || install libarchive13 libseccomp2 libssl3 libutf8proc2
 elif [[ -f "$source/blossom/CMakeLists.txt" ]]; then
-  install g++ cmake ninja-build libboost-dev libcli11-dev libglm-dev nlohmann-json3-dev libarchive-dev libseccomp-dev libssl-dev
+  install g++ cmake ninja-build libboost-dev libcli11-dev libglm-dev nlohmann-json3-dev libarchive-dev \
+    libseccomp-dev libssl-dev libutf8proc-dev
   cmake -S "$source/blossom" -B "$source/build" -G Ninja -DBLOSSOM_PLAYER=OFF -DBLOSSOM_TESTS=OFF
   cmake --build "$source/build" --target blossom-grade
   cp "$source/build/bin/blossom-grade" "$program"
