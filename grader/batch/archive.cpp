@@ -251,7 +251,6 @@ std::string problem_of_name(std::string_view name, const SourceLimits& limits, s
   if (name.size() > most_name_bytes)
     return "its name is too long; at most " + std::to_string(most_name_bytes) + " bytes";
   if (name.starts_with('/')) return "an absolute name";
-  if (name.size() >= 2 && is_letter(name[0]) && name[1] == ':') return "a name with a drive letter";
   if (name.find('\\') != std::string_view::npos) return "a name with a backslash";
   int depth = 0;
   for (std::size_t begin = 0; begin < name.size();) {
@@ -266,6 +265,7 @@ std::string problem_of_name(std::string_view name, const SourceLimits& limits, s
     }
     path += part;
   }
+  if (path.size() >= 2 && is_letter(path[0]) && path[1] == ':') return "a name with a drive letter";
   if (depth > limits.depth) return "more than " + std::to_string(limits.depth) + " folders inside each other";
   return {};
 }
