@@ -10,6 +10,7 @@
 
 #include "base/diagnostics.hpp"
 #include "base/exit.hpp"
+#include "grader/time.hpp"
 
 namespace blossom {
 
@@ -33,5 +34,8 @@ inline auto is_one_of(std::vector<std::string> words) {
     return excerpt(text) + " is none of " + known + (near ? "; did you mean " + *near + "?" : "");
   };
 }
+
+// A check for an option that takes a time.
+inline std::string is_time(const std::string& text) { return parse_time(text) ? std::string() : time_problem(text); }
 
 }  // namespace blossom

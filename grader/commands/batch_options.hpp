@@ -62,7 +62,7 @@ inline void add_batch_options(CLI::App& app, BatchWords& words) {
   app.add_option("--secret-file", words.secret_file, "the course's secret, which variants are drawn with")
       ->option_text("FILE");
   app.add_option("--now", words.now, "the time that decides what students may see yet, such as 2026-10-01T12:00:00Z")
-      ->check([](const std::string& text) { return parse_time(text) ? std::string() : time_problem(text); })
+      ->check(is_time)
       ->option_text("TIME (default: the clock's)");
   app.add_option("-j,--jobs", words.jobs, "worker processes")
       ->check(CLI::Range(1u, 1024u))

@@ -306,8 +306,6 @@ int grade_all(const Given& given) {
   return one_student ? grade_one_student(examiner, given, format, who) : grade_files(examiner, given, format);
 }
 
-std::string is_time(const std::string& text) { return parse_time(text) ? std::string() : time_problem(text); }
-
 void set_up(CLI::App& app, int& status) {
   auto given = std::make_shared<Given>();
   std::vector<std::string> formats;

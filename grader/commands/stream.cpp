@@ -179,7 +179,7 @@ void set_up(CLI::App& app, int& status) {
   app.add_option("--secret-file", given->secret_file, "the course's secret, which variants are drawn with")
       ->option_text("FILE");
   app.add_option("--now", given->now, "the time that decides which feedback is given (default: the clock's)")
-      ->check([](const std::string& text) { return parse_time(text) ? std::string() : time_problem(text); })
+      ->check(is_time)
       ->option_text("TIME");
   app.add_flag("--no-sandbox", given->no_sandbox, "grade in processes that are not closed off");
   app.footer(manual);
