@@ -13,8 +13,8 @@
 #include <cstdlib>
 #include <map>
 
-#include "grading_exercise.hpp"
 #include "grader/report/report.hpp"
+#include "grading_exercise.hpp"
 
 namespace blossom {
 namespace {

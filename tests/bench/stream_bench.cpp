@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "grading_exercise.hpp"
 #include "grader/report/report.hpp"
+#include "grading_exercise.hpp"
 
 namespace blossom {
 namespace {
