@@ -153,6 +153,16 @@ std::string given(const Run<Exact>& run) {
       case InputSpec::Type::choice:
         row(run.inputs.choice(name));
         break;
+      case InputSpec::Type::numbers: {
+        std::string all;
+        for (const Exact& number : run.inputs.numbers(name)) all += (all.empty() ? "" : ", ") + format_number(number);
+        row(all);
+        break;
+      }
+      case InputSpec::Type::points:
+      case InputSpec::Type::net:
+        row(write_input<Exact>(run.inputs.values.find(name)->second));
+        break;
     }
   }
   return tables + (numbers.empty() ? "" : "<table><tbody>" + numbers + "</tbody></table>\n");

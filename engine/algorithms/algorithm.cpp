@@ -16,6 +16,10 @@ Inputs<S> convert(const Inputs<Exact>& inputs) {
                                      std::vector<Curve<S>> curves;
                                      for (const auto& c : x) curves.push_back(blossom::convert<S>(c));
                                      return curves;
+                                   } else if constexpr (std::is_same_v<T, std::vector<Exact>>) {
+                                     std::vector<S> numbers;
+                                     for (const auto& number : x) numbers.push_back(from_exact<S>(number));
+                                     return numbers;
                                    } else if constexpr (std::is_same_v<T, int> || std::is_same_v<T, std::string>) {
                                      return x;
                                    } else {

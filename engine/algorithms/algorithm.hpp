@@ -20,7 +20,8 @@ namespace blossom {
 // ---- inputs and results ---------------------------------------------------------------------------------------------
 
 template <Scalar S>
-using InputValue = std::variant<S, int, std::string, Curve<S>, Surface<S>, std::vector<Curve<S>>>;
+using InputValue = std::variant<S, int, std::string, Curve<S>, Surface<S>, std::vector<Curve<S>>, std::vector<S>,
+                                PointRow<S>, PointNet<S>>;
 
 template <Scalar S>
 struct Inputs {
@@ -34,6 +35,11 @@ struct Inputs {
   const std::vector<Curve<S>>& curves(std::string_view name) const {
     return std::get<std::vector<Curve<S>>>(values.find(name)->second);
   }
+  const std::vector<S>& numbers(std::string_view name) const {
+    return std::get<std::vector<S>>(values.find(name)->second);
+  }
+  const PointRow<S>& points(std::string_view name) const { return std::get<PointRow<S>>(values.find(name)->second); }
+  const PointNet<S>& net(std::string_view name) const { return std::get<PointNet<S>>(values.find(name)->second); }
   bool operator==(const Inputs&) const = default;
 };
 
@@ -41,18 +47,28 @@ template <Scalar S>
 Inputs<S> convert(const Inputs<Exact>&);
 
 struct InputSpec {
-  enum class Type { number, integer, choice, curve, surface, curves };
+  enum class Type {
+    number,
+    integer,
+    choice,
+    curve,
+    surface,
+    curves,   // several
+    numbers,  // in a row
+    points,   // in a row: [[x, y], ...]
+    net,      // rows of points
+  };
   std::string_view name;
   Type type;
   std::string_view description;
-  int at_least = 0;  // integers
+  int at_least = 0;  // integers; the number of curves, numbers or points
   int at_most = 0;
   std::vector<std::string_view> choices = {};
   std::string_view fallback = {};  // JSON text of the value when the file leaves it out; empty: required
 };
 
 template <Scalar S>
-using Outcome = std::variant<HPoint<S>, Curve<S>, Surface<S>>;
+using Outcome = std::variant<HPoint<S>, Curve<S>, Surface<S>, std::vector<Curve<S>>, std::vector<Surface<S>>>;
 
 // ---- what explains the values ---------------------------------------------------------------------------------------
 
@@ -126,8 +142,18 @@ struct Runner {
   Outcome<S> (*plain)(const Inputs<S>&) = nullptr;
 };
 
+// What an algorithm is for: the menus of what can be done with a curve or a surface are made of these.
+enum class Family : std::uint8_t {
+  evaluation,         // a point of a curve or surface
+  curve_technique,    // a curve from a curve
+  fitting,            // a curve or surface from points
+  surface_technique,  // a surface from a surface
+  construction,       // a surface from curves
+};
+
 struct Algorithm {
   std::string_view id;
+  Family family = Family::evaluation;
   std::string_view title;
   std::string_view summary;  // one sentence
   std::string_view source;   // where to read on

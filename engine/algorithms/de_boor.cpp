@@ -39,6 +39,7 @@ const Algorithm& de_boor() {
   static const Algorithm algorithm = [] {
     Algorithm a;
     a.id = "de_boor";
+    a.family = Family::evaluation;
     a.title = "de Boor's algorithm";
     a.summary = "A point on a B-spline or NURBS curve by inserting its parameter until it has full multiplicity.";
     a.source = "Shene, CS3621 notes, \"De Boor's Algorithm\"; The NURBS Book, 5.2";

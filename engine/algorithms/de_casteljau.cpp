@@ -33,6 +33,7 @@ const Algorithm& de_casteljau() {
   static const Algorithm algorithm = [] {
     Algorithm a;
     a.id = "de_casteljau";
+    a.family = Family::evaluation;
     a.title = "de Casteljau's algorithm";
     a.summary = "A point on a Bézier curve by repeated linear interpolation of its control points.";
     a.source = "Shene, CS3621 notes, \"Finding a Point on a Bézier Curve\"; The NURBS Book, A1.5";

@@ -58,6 +58,7 @@ const Algorithm& degree_elevation() {
   static const Algorithm algorithm = [] {
     Algorithm a;
     a.id = "degree_elevation";
+    a.family = Family::curve_technique;
     a.title = "Degree elevation";
     a.summary = "The same curve with a higher degree and more control points.";
     a.source = "Shene, CS3621 notes, \"Degree Elevation of a Bézier Curve\"; The NURBS Book, 5.5";

@@ -47,6 +47,7 @@ const Algorithm& knot_insertion() {
   static const Algorithm algorithm = [] {
     Algorithm a;
     a.id = "knot_insertion";
+    a.family = Family::curve_technique;
     a.title = "Knot insertion";
     a.summary = "The same curve with one more knot, inserted once or several times (Boehm's algorithm).";
     a.source = "Shene, CS3621 notes, \"Knot Insertion\"; The NURBS Book, 5.2, A5.1";

@@ -51,6 +51,22 @@ std::optional<InputValue<Exact>> read_input(const InputSpec& spec, const Cursor&
       if (!all) return std::nullopt;
       return InputValue<Exact>(std::move(curves));
     }
+    case InputSpec::Type::numbers: {
+      if (!at.expect_array(static_cast<std::size_t>(spec.at_least), static_cast<std::size_t>(spec.at_most)))
+        return std::nullopt;
+      std::vector<Exact> numbers;
+      for (std::size_t i = 0; i < at.size(); ++i)
+        if (auto x = at[i].number()) numbers.push_back(std::move(*x));
+      if (numbers.size() != at.size()) return std::nullopt;
+      return InputValue<Exact>(std::move(numbers));
+    }
+    case InputSpec::Type::points:
+      if (auto row = read_points(at, static_cast<std::size_t>(spec.at_least), static_cast<std::size_t>(spec.at_most)))
+        return InputValue<Exact>(std::move(*row));
+      return std::nullopt;
+    case InputSpec::Type::net:
+      if (auto net = read_net(at)) return InputValue<Exact>(std::move(*net));
+      return std::nullopt;
   }
   return std::nullopt;
 }
@@ -94,23 +110,32 @@ namespace {
 
 Diagnostics as_diagnostics(const KernelError& error) { return {Diagnostic{"", 0, 0, error.input, error.message}}; }
 
-// Dimension and kind of what is traced: of its curves and surfaces.
+// Dimension and kind of what is traced: of its curves and surfaces, given and made.
 template <Scalar S>
-void describe(const Inputs<S>& inputs, int& dimension, bool& rational) {
+void describe(const Inputs<S>& inputs, const Outcome<S>& outcome, int& dimension, bool& rational) {
   const auto curve = [&](const Curve<S>& c) {
     dimension = std::max(dimension, c.dimension);
     rational = rational || c.rational;
   };
+  const auto surface = [&](const Surface<S>& s) {
+    dimension = 3;
+    rational = rational || s.rational;
+  };
   dimension = 2;
   rational = false;
+  if (const auto* c = std::get_if<Curve<S>>(&outcome)) curve(*c);
+  if (const auto* s = std::get_if<Surface<S>>(&outcome)) surface(*s);
+  if (const auto* cs = std::get_if<std::vector<Curve<S>>>(&outcome))
+    for (const auto& c : *cs) curve(c);
+  if (const auto* ss = std::get_if<std::vector<Surface<S>>>(&outcome))
+    for (const auto& s : *ss) surface(s);
   for (const auto& [name, value] : inputs.values) {
     if (const auto* c = std::get_if<Curve<S>>(&value)) curve(*c);
     if (const auto* cs = std::get_if<std::vector<Curve<S>>>(&value))
       for (const auto& c : *cs) curve(c);
-    if (const auto* s = std::get_if<Surface<S>>(&value)) {
-      dimension = 3;
-      rational = rational || s->rational;
-    }
+    if (const auto* s = std::get_if<Surface<S>>(&value)) surface(*s);
+    if (const auto* row = std::get_if<PointRow<S>>(&value)) dimension = std::max(dimension, row->dimension);
+    if (std::holds_alternative<PointNet<S>>(value)) dimension = 3;
   }
 }
 
@@ -143,7 +168,12 @@ bool is_finite(const Outcome<S>& outcome) {
   const auto all = [](const auto& points) {
     return std::ranges::all_of(points, [](const HPoint<S>& P) { return is_finite(P); });
   };
+  const auto each = [&](const auto& pieces) {
+    return std::ranges::all_of(pieces, [&](const auto& piece) { return all(piece.points); });
+  };
   if (const auto* curve = std::get_if<Curve<S>>(&outcome)) return all(curve->points);
+  if (const auto* curves = std::get_if<std::vector<Curve<S>>>(&outcome)) return each(*curves);
+  if (const auto* surfaces = std::get_if<std::vector<Surface<S>>>(&outcome)) return each(*surfaces);
   return all(std::get<Surface<S>>(outcome).points);
 }
 template <Scalar S>
@@ -202,7 +232,7 @@ Checked<Run<S>> record(const Algorithm& algorithm, const Inputs<Exact>& inputs) 
     }
     run.trace = std::move(recorder).take();
     if (!is_finite(run.outcome) || !is_finite(run.trace)) return overflow<S>();
-    describe(run.inputs, run.trace.dimension, run.trace.rational);
+    describe(run.inputs, run.outcome, run.trace.dimension, run.trace.rational);
     return run;
   });
 }
@@ -268,9 +298,19 @@ std::string write_input(const InputValue<S>& value) {
           return write_curve(x);
         } else if constexpr (std::is_same_v<T, Surface<S>>) {
           return write_surface(x);
+        } else if constexpr (std::is_same_v<T, PointRow<S>>) {
+          return write_points(x);
+        } else if constexpr (std::is_same_v<T, PointNet<S>>) {
+          return write_net(x);
         } else {
           std::string text = "[";
-          for (std::size_t i = 0; i < x.size(); ++i) text += (i > 0 ? ", " : "") + write_curve(x[i]);
+          for (std::size_t i = 0; i < x.size(); ++i) {
+            text += i > 0 ? ", " : "";
+            if constexpr (std::is_same_v<T, std::vector<Curve<S>>>)
+              text += write_curve(x[i]);
+            else
+              text += write_input<S>(InputValue<S>(x[i]));
+          }
           return text + "]";
         }
       },

@@ -50,6 +50,7 @@ const Algorithm& skinning() {
   static const Algorithm algorithm = [] {
     Algorithm a;
     a.id = "skinning";
+    a.family = Family::construction;
     a.title = "Skinning";
     a.summary = "A surface through profile curves, each of which is an isoparametric curve of it.";
     a.source = "Shene, CS3621 notes, \"Skinned Surfaces\"; The NURBS Book, 10.3";

@@ -256,6 +256,14 @@ class Writer {
     } else if (const auto* curve = std::get_if<Curve<S>>(&outcome)) {
       text("\"curve\": ");
       out_ += write_curve(*curve);
+    } else if (const auto* curves = std::get_if<std::vector<Curve<S>>>(&outcome)) {
+      text("\"curves\": [");
+      for (std::size_t i = 0; i < curves->size(); ++i) out_ += (i > 0 ? ", " : "") + write_curve((*curves)[i]);
+      text("]");
+    } else if (const auto* surfaces = std::get_if<std::vector<Surface<S>>>(&outcome)) {
+      text("\"surfaces\": [");
+      for (std::size_t i = 0; i < surfaces->size(); ++i) out_ += (i > 0 ? ", " : "") + write_surface((*surfaces)[i]);
+      text("]");
     } else {
       text("\"surface\": ");
       out_ += write_surface(std::get<Surface<S>>(outcome));

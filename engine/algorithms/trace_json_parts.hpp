@@ -79,9 +79,9 @@ class ResultReader {
   explicit ResultReader(int dimension) : dimension_(static_cast<std::size_t>(dimension)) {}
 
   std::optional<Outcome<S>> read(const Cursor& at) const {
-    if (!at.expect_object({"point", "curve", "surface"})) return std::nullopt;
+    if (!at.expect_object({"point", "curve", "surface", "curves", "surfaces"})) return std::nullopt;
     if (at.json().items.size() != 1) {
-      at.error("must have one of \"point\", \"curve\" and \"surface\"");
+      at.error("must have one of \"point\", \"curve\", \"surface\", \"curves\" and \"surfaces\"");
       return std::nullopt;
     }
     if (const auto point = at.optional("point")) {
@@ -89,12 +89,29 @@ class ResultReader {
       if (!xyz) return std::nullopt;
       return homogeneous(*xyz, S(1), false);
     }
-    if (const auto curve = at.optional("curve")) return read_curve_result(*curve);
-    if (const auto surface = at.optional("surface")) return read_surface_result(*surface);
+    if (const auto curve = at.optional("curve")) return as_outcome(read_curve_result(*curve));
+    if (const auto surface = at.optional("surface")) return as_outcome(read_surface_result(*surface));
+    if (const auto curves = at.optional("curves"))
+      return as_outcome(read_all<Curve<S>>(*curves, [&](const Cursor& one) { return read_curve_result(one); }));
+    if (const auto surfaces = at.optional("surfaces"))
+      return as_outcome(read_all<Surface<S>>(*surfaces, [&](const Cursor& one) { return read_surface_result(one); }));
     return std::nullopt;
   }
 
  private:
+  template <class T>
+  static std::optional<Outcome<S>> as_outcome(std::optional<T> read) {
+    return read ? std::optional<Outcome<S>>(std::move(*read)) : std::nullopt;
+  }
+  template <class T, class ReadOne>
+  static std::optional<std::vector<T>> read_all(const Cursor& at, const ReadOne& read_one) {
+    if (!at.expect_array(1)) return std::nullopt;
+    std::vector<T> all;
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (auto one = read_one(at[i])) all.push_back(std::move(*one));
+    return all.size() == at.size() ? std::optional(std::move(all)) : std::nullopt;
+  }
+
   std::optional<std::vector<S>> knots(const std::optional<Cursor>& at, std::optional<int> degree,
                                       std::size_t points) const {
     if (!degree) return std::nullopt;
@@ -114,7 +131,7 @@ class ResultReader {
     return read.size() == at.size() ? std::optional(std::move(read)) : std::nullopt;
   }
 
-  std::optional<Outcome<S>> read_curve_result(const Cursor& at) const {
+  std::optional<Curve<S>> read_curve_result(const Cursor& at) const {
     if (!at.expect_object({"degree", "knots", "points", "weights"})) return std::nullopt;
     const auto degree_at = at.required("degree");
     const auto points_at = at.required("points");
@@ -133,7 +150,7 @@ class ResultReader {
     return curve;
   }
 
-  std::optional<Outcome<S>> read_surface_result(const Cursor& at) const {
+  std::optional<Surface<S>> read_surface_result(const Cursor& at) const {
     if (!at.expect_object({"degree", "knots", "points", "weights"})) return std::nullopt;
     const auto degree_at = at.required("degree");
     const auto points_at = at.required("points");

@@ -22,6 +22,12 @@ namespace blossom {
 std::optional<Curve<Exact>> read_curve(const Cursor&);
 std::optional<Surface<Exact>> read_surface(const Cursor&);
 
+// [[x, y], ...]: all of 2 or all of 3 coordinates, `at_least` to `at_most` of them.
+std::optional<PointRow<Exact>> read_points(const Cursor&, std::size_t at_least, std::size_t at_most);
+// [[[x, y, z], ...], ...]: rows of equally many points, at least 2 x 2, at most 65,536 in all; of 3 coordinates, or of 2
+// (then z = 0).
+std::optional<PointNet<Exact>> read_net(const Cursor&);
+
 // The JSON text of a curve or surface, on one line: affine points, with weights if it is rational, without knots if it
 // is a Bezier one. Numbers of an exact one are strings. A point of weight 0 is written with
 // its homogeneous coordinates, which are 0 when it was read from a file. Reading the text gives the same value (of
@@ -30,5 +36,9 @@ template <Scalar S>
 std::string write_curve(const Curve<S>&);
 template <Scalar S>
 std::string write_surface(const Surface<S>&);
+template <Scalar S>
+std::string write_points(const PointRow<S>&);
+template <Scalar S>
+std::string write_net(const PointNet<S>&);
 
 }  // namespace blossom

@@ -44,9 +44,23 @@ Surface<S> convert(const Surface<Exact>& surface) {
           .bezier = surface.bezier};
 }
 
+template <Scalar S>
+PointRow<S> convert(const PointRow<Exact>& row) {
+  return {convert_all<S>(row.points), row.dimension};
+}
+
+template <Scalar S>
+PointNet<S> convert(const PointNet<Exact>& net) {
+  return {net.rows, net.columns, convert_all<S>(net.points)};
+}
+
 template Curve<double> convert(const Curve<Exact>&);
 template Curve<Exact> convert(const Curve<Exact>&);
 template Surface<double> convert(const Surface<Exact>&);
 template Surface<Exact> convert(const Surface<Exact>&);
+template PointRow<double> convert(const PointRow<Exact>&);
+template PointRow<Exact> convert(const PointRow<Exact>&);
+template PointNet<double> convert(const PointNet<Exact>&);
+template PointNet<Exact> convert(const PointNet<Exact>&);
 
 }  // namespace blossom

@@ -56,11 +56,35 @@ struct Surface {
   bool operator==(const Surface&) const = default;
 };
 
+// Points in a row: data to be interpolated, two points of an axis. All weights are 1.
+template <Scalar S>
+struct PointRow {
+  std::vector<HPoint<S>> points;
+  int dimension = 2;  // 2 or 3; in 2D z = 0
+
+  bool operator==(const PointRow&) const = default;
+};
+
+// Points in rows and columns, D[i][j], stored row by row: data to be interpolated by a surface. All weights are 1.
+template <Scalar S>
+struct PointNet {
+  int rows = 0;
+  int columns = 0;
+  std::vector<HPoint<S>> points;
+
+  const HPoint<S>& at(int i, int j) const { return points[static_cast<std::size_t>(i) * columns + j]; }
+  bool operator==(const PointNet&) const = default;
+};
+
 // The same geometry in another scalar: each number rounded once.
 template <Scalar S>
 Curve<S> convert(const Curve<Exact>&);
 template <Scalar S>
 Surface<S> convert(const Surface<Exact>&);
+template <Scalar S>
+PointRow<S> convert(const PointRow<Exact>&);
+template <Scalar S>
+PointNet<S> convert(const PointNet<Exact>&);
 
 // The Bezier knots 0^(p+1), 1^(p+1).
 template <Scalar S>

@@ -181,7 +181,48 @@ void check_count(const Cursor& at, std::size_t p, std::size_t count, const std::
   if (!bezier && count < p + 1) at.error("needs at least " + needed);
 }
 
+// As doubles they are finite: nothing is multiplied with a weight here.
+void expect_finite(const Cursor& at, const HPoint<Exact>& P) {
+  if (!std::isfinite(P.x.to_double()) || !std::isfinite(P.y.to_double()) || !std::isfinite(P.z.to_double()))
+    at.error("is too far away; at most about 1.8e308");
+}
+
 }  // namespace
+
+std::optional<PointRow<Exact>> read_points(const Cursor& at, std::size_t at_least, std::size_t at_most) {
+  const std::size_t before = at.error_count();
+  if (!at.expect_array(at_least, std::min(at_most, max_points))) return std::nullopt;
+  PointRow<Exact> row;
+  PointReader reader;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    row.points.push_back(reader.read(at[i]));
+    expect_finite(at[i], row.points.back());
+  }
+  if (at.errors_since(before)) return std::nullopt;
+  row.dimension = std::max(reader.dimension(), 2);
+  return row;
+}
+
+std::optional<PointNet<Exact>> read_net(const Cursor& at) {
+  const std::size_t before = at.error_count();
+  if (!at.expect_array(2, max_points / 2)) return std::nullopt;
+  PointNet<Exact> net;
+  net.rows = static_cast<int>(at.size());
+  PointReader reader;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const Cursor row = at[i];
+    if (!row.expect_array(2, max_points / at.size())) continue;
+    if (net.columns == 0) net.columns = static_cast<int>(row.size());
+    if (static_cast<int>(row.size()) != net.columns)
+      row.error("must have " + std::to_string(net.columns) + " points, as the first row has, not " + text(row.size()));
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      net.points.push_back(reader.read(row[j]));
+      expect_finite(row[j], net.points.back());
+    }
+  }
+  if (at.errors_since(before)) return std::nullopt;
+  return net;
+}
 
 std::optional<Curve<Exact>> read_curve(const Cursor& at) {
   const std::size_t before = at.error_count();

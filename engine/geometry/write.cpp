@@ -67,9 +67,27 @@ std::string write_surface(const Surface<S>& surface) {
   return out + "}";
 }
 
+template <Scalar S>
+std::string write_points(const PointRow<S>& row) {
+  return array(row.points.size(), [&](std::size_t i) { return affine_point(row.points[i], row.dimension); });
+}
+
+template <Scalar S>
+std::string write_net(const PointNet<S>& net) {
+  return array(static_cast<std::size_t>(net.rows), [&](std::size_t i) {
+    return array(static_cast<std::size_t>(net.columns), [&](std::size_t j) {
+      return affine_point(net.at(static_cast<int>(i), static_cast<int>(j)), 3);
+    });
+  });
+}
+
 template std::string write_curve(const Curve<double>&);
 template std::string write_curve(const Curve<Exact>&);
 template std::string write_surface(const Surface<double>&);
 template std::string write_surface(const Surface<Exact>&);
+template std::string write_points(const PointRow<double>&);
+template std::string write_points(const PointRow<Exact>&);
+template std::string write_net(const PointNet<double>&);
+template std::string write_net(const PointNet<Exact>&);
 
 }  // namespace blossom

@@ -30,6 +30,15 @@ std::string form(const InputSpec& spec) {
     case InputSpec::Type::curves:
       return R"("type": "array", "minItems": )" + std::to_string(spec.at_least) + R"(, "items": {)" +
              geometry("curve") + "}";
+    case InputSpec::Type::numbers:
+      return R"("type": "array", "minItems": )" + std::to_string(spec.at_least) + R"(, "maxItems": )" +
+             std::to_string(spec.at_most) + R"(, "items": {)" + geometry("number") + "}";
+    case InputSpec::Type::points:
+      return R"("type": "array", "minItems": )" + std::to_string(spec.at_least) + R"(, "maxItems": )" +
+             std::to_string(spec.at_most) + R"(, "items": {)" + geometry("point") + "}";
+    case InputSpec::Type::net:
+      return R"("type": "array", "minItems": 2, "items": {"type": "array", "minItems": 2, "items": {)" +
+             geometry("point") + "}}";
   }
   return {};
 }

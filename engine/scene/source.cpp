@@ -16,6 +16,12 @@ Curve<double> in_double(const Curve<double>& curve) { return curve; }
 Curve<double> in_double(const Curve<Exact>& curve) { return convert<double>(curve); }
 Surface<double> in_double(const Surface<double>& surface) { return surface; }
 Surface<double> in_double(const Surface<Exact>& surface) { return convert<double>(surface); }
+template <class T>
+auto in_double(const std::vector<T>& pieces) {
+  std::vector<decltype(in_double(pieces.front()))> made;
+  for (const auto& piece : pieces) made.push_back(in_double(piece));
+  return made;
+}
 template <Scalar S>
 HPoint<double> in_double(const HPoint<S>& point) {
   return {to_double(point.x), to_double(point.y), to_double(point.z), to_double(point.w)};
@@ -36,6 +42,7 @@ StepSource make_source(const Narrator<S>& narrator) {
     if (const auto* c = std::get_if<Curve<S>>(&value)) source.curves.push_back(in_double(*c));
     if (const auto* cs = std::get_if<std::vector<Curve<S>>>(&value))
       for (const auto& c : *cs) source.curves.push_back(in_double(c));
+    if (const auto* s = std::get_if<Surface<S>>(&value)) source.surfaces.push_back(in_double(*s));
     if (const auto* u = std::get_if<S>(&value); u != nullptr && name == "u") source.parameter = to_double(*u);
   }
   std::visit([&](const auto& outcome) { source.outcome = in_double(outcome); }, run.outcome);

@@ -41,6 +41,11 @@ inline Exact any_parameter(std::mt19937& random, const Curve<Exact>& curve) {
   return curve.knots[static_cast<std::size_t>(random_int(random, curve.degree, curve.n() + 1))];
 }
 
+inline HPoint<Exact> any_place(std::mt19937& random, int dimension) {
+  const auto coordinate = [&] { return Exact(random_int(random, -9, 9)); };
+  return {coordinate(), coordinate(), dimension == 3 ? coordinate() : Exact(0), Exact(1)};
+}
+
 inline InputValue<Exact> any_value(std::mt19937& random, const InputSpec& spec, const Curve<Exact>& curve,
                                    int dimension) {
   switch (spec.type) {
@@ -55,6 +60,23 @@ inline InputValue<Exact> any_value(std::mt19937& random, const InputSpec& spec, 
       return curve;
     case InputSpec::Type::surface:
       return random_surface(random, 2, random_int(random, 1, 3), 2, true, random_int(random, 0, 1) == 1);
+    case InputSpec::Type::numbers: {
+      std::vector<Exact> numbers;
+      for (int i = random_int(random, spec.at_least, std::min(spec.at_most, spec.at_least + 3)); i > 0; --i)
+        numbers.push_back(any_parameter(random, curve));
+      return numbers;
+    }
+    case InputSpec::Type::points: {
+      PointRow<Exact> row{{}, dimension};
+      for (int i = random_int(random, spec.at_least, std::min(spec.at_most, spec.at_least + 4)); i > 0; --i)
+        row.points.push_back(any_place(random, dimension));
+      return row;
+    }
+    case InputSpec::Type::net: {
+      PointNet<Exact> net{random_int(random, 2, 4), random_int(random, 2, 4), {}};
+      for (int i = net.rows * net.columns; i > 0; --i) net.points.push_back(any_place(random, 3));
+      return net;
+    }
     case InputSpec::Type::curves:
       break;
   }
