@@ -6,26 +6,33 @@
 
 namespace blossom {
 
-// Whether the algorithm can take the parameter u: it lies in the curve's domain, and is a knot in exact arithmetic if
-// and only if it is one when rounded to double (else the two would take different steps). Says at the input "u" if not.
-inline bool check_parameter(const Inputs<Exact>& inputs, const std::function<Cursor(std::string_view)>& at) {
-  const auto& curve = inputs.curve("curve");
-  const Exact& u = inputs.number("u");
-  const Exact begin = curve.domain_begin(), end = curve.domain_end();
+// Whether a parameter, the input `name`, lies in the domain of these knots, and is a knot in exact arithmetic if and
+// only if it is one when rounded to double (else the two would take different steps). Says at the input if not. The
+// knots are called `knot` with their index.
+inline bool check_parameter(const Exact& u, int degree, const std::vector<Exact>& knots, std::string_view name,
+                            std::string_view knot, const std::function<Cursor(std::string_view)>& at) {
+  const Exact& begin = knots[static_cast<std::size_t>(degree)];
+  const Exact& end = knots[knots.size() - static_cast<std::size_t>(degree) - 1];
   if (u < begin || end < u) {
     const std::string shown = format_brief(u);
     const bool told_apart = shown != format_brief(u < begin ? begin : end);
-    at("u").error("must lie in the domain [" + format_brief(begin) + ", " + format_brief(end) + "]" +
-                  (told_apart ? ", not at " + shown : "; it lies just outside"));
+    at(name).error("must lie in the domain [" + format_brief(begin) + ", " + format_brief(end) + "]" +
+                   (told_apart ? ", not at " + shown : "; it lies just outside"));
     return false;
   }
-  for (std::size_t i = 0; i < curve.knots.size(); ++i) {
-    if (u == curve.knots[i] || u.to_double() != curve.knots[i].to_double()) continue;
-    at("u").error("differs from the knot u_" + std::to_string(i) + " = " + format_brief(curve.knots[i]) +
-                  " by less than a double can tell; make them equal or move them apart");
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (u == knots[i] || u.to_double() != knots[i].to_double()) continue;
+    at(name).error("differs from the knot " + std::string(knot) + std::to_string(i) + " = " + format_brief(knots[i]) +
+                   " by less than a double can tell; make them equal or move them apart");
     return false;
   }
   return true;
+}
+
+// The same of the input u of the input curve.
+inline bool check_parameter(const Inputs<Exact>& inputs, const std::function<Cursor(std::string_view)>& at) {
+  const auto& curve = inputs.curve("curve");
+  return check_parameter(inputs.number("u"), curve.degree, curve.knots, "u", "u_", at);
 }
 
 inline bool is_blend(const Site& site) { return site.trace().value(site.value()).rule == &rule_info<Blend>; }

@@ -89,7 +89,8 @@ const Algorithm& de_boor() {
          "Level {r}: P[{r}][{i}] divides the segment from {#P[r-1][i-1]} to {#P[r-1][i]} at alpha = {alpha[r][i]}: "
          "(1 - {alpha[r][i]}) {~P[r-1][i-1]} + {alpha[r][i]} {~P[r-1][i]} = {made}.",
          ValueSpec::Draw::level,
-         true},
+         true,
+         {{"same", "", 0, "The control points of this curve, and u = {u}."}}},
         {"C",
          {},
          "the point on the curve",

@@ -94,7 +94,8 @@ const Algorithm& degree_elevation() {
          "Segment {j}: {name} = {chain}.",
          ValueSpec::Draw::level,
          false,
-         {{"elevate_end", "", 6, "Segment {j}: an end stays where it is, {name} = {chain}."}}},
+         {{"elevate_end", "", 6, "Segment {j}: an end stays where it is, {name} = {chain}."},
+          {"elevate_end_v", "", 6, "Segment {j}: an end stays where it is, {name} = {chain}."}}},
         {"V",
          {},
          "the new knot vector",
@@ -118,7 +119,10 @@ const Algorithm& degree_elevation() {
          "{name} = {chain}, the blossom value {polar}.",
          ValueSpec::Draw::polygon,
          false,
-         {{"elevate_end", "", 6, "The end stays where it is: {name} = {chain}."}, {"same", "", 8}, {"blend", "", 8}}},
+         {{"elevate_end", "", 6, "The end stays where it is: {name} = {chain}."},
+          {"elevate_end_v", "", 6, "The end stays where it is: {name} = {chain}."},
+          {"same", "", 8},
+          {"blend", "", 8}}},
     };
     a.phases = {
         {"decompose", "Decompose into Bézier segments", 1,

@@ -13,6 +13,36 @@
 
 namespace blossom {
 
+// Which points u depends on, P[first] .. P[last]: p - s + 1 of them, at a knot of multiplicity p or more just one.
+struct InForce {
+  int first, last;
+};
+template <class Knots, class S>
+InForce points_in_force(const Knots& U, int p, int k, int s, const S& u) {
+  const int known = std::min(s, p);  // a knot of multiplicity p is a point of the curve already
+  const int last = U[k + 1].value == u ? k : k - known;
+  return {last - (p - known), last};
+}
+
+// The triangle: the homogeneous point at u. `knots` is the knot vector U as one value; of P, what is in force counts.
+template <class R, class Knots, class Points, class Degree, class Parameter, class KnotList>
+Traced<HPoint<typename R::Number>, typename R::Id> de_boor_point(R& rec, const Degree& degree, const Knots& U,
+                                                                 const KnotList& knots, const Points& P,
+                                                                 const Parameter& u) {
+  const int p = degree.value;
+  const auto k = rec.apply(FindSpan{}, "k"_v, degree, u, knots);
+  const auto s = rec.apply(Multiplicity{}, "s"_v, u, knots);
+  const auto [first, last] = points_in_force(U, p, k.value, s.value, u.value);
+  const int levels = last - first;
+  TriangleRow<R> row;
+  for (int j = 0; j <= levels; ++j) {
+    const auto given = P[first + j];
+    row[static_cast<std::size_t>(j)] = {given.value, given.id};
+  }
+  triangle(rec, U, u, row, p, p - levels, last, levels, {"P"_v}, [](int) {});
+  return row[static_cast<std::size_t>(levels)];
+}
+
 // Preconditions: a valid curve, u in its domain. Error: the weight at u is zero.
 template <class R>
 HPoint<typename R::Number> de_boor(const Curve<typename R::Number>& curve, const typename R::Number& parameter,
@@ -27,20 +57,7 @@ HPoint<typename R::Number> de_boor(const Curve<typename R::Number>& curve, const
   if constexpr (R::recording)
     for (int i = 0; i < P.size(); ++i) rec.polar_knots(P[i].id, U[i + 1].id, p);
 
-  const auto k = rec.apply(FindSpan{}, "k"_v, degree, u, knots);
-  const auto s = rec.apply(Multiplicity{}, "s"_v, u, knots);
-  const bool at_the_end = U[k.value + 1].value == u.value;
-  const int known = std::min(s.value, p);  // a knot of multiplicity p is a point of the curve already
-  const int last = at_the_end ? k.value : k.value - known;
-
-  TriangleRow<R> row;
-  for (int j = 0; j <= p - known; ++j) {
-    const auto given = P[last - (p - known) + j];
-    row[static_cast<std::size_t>(j)] = {given.value, given.id};
-  }
-  triangle(rec, U, u, row, p, known, last, p - known, {"P"_v}, [](int) {});
-
-  const auto& top = row[static_cast<std::size_t>(p - known)];
+  const auto top = de_boor_point(rec, degree, U, knots, P, u);
   if (!curve.rational) return rec.apply(Same{}, "C"_v, top).value;
   if (top.value.w == S(0))
     throw KernelError{"u", "the weight of the point at this parameter is 0: it lies at infinity"};

@@ -165,7 +165,7 @@ void name_knots(Made& made, const Knots& U, const std::vector<S>& V) {
 
 // Each run of p + 1 points one degree higher, `times` times: the Bezier formula on each segment. The last round's
 // values are called `point`, with the segment as first index when there are several.
-template <class R>
+template <class End, class R>
 PointCells<R> elevate_segments(R& rec, PointCells<R> B, int p, int times, bool several) {
   using S = typename R::Number;
   using Id = typename R::Id;
@@ -181,10 +181,10 @@ PointCells<R> elevate_segments(R& rec, PointCells<R> B, int p, int times, bool s
     for (int j = 0; j < segments; ++j) {
       const int first = j * (p + 1);
       const auto name = [&](int i) { return several ? "E"_v(j, i) : "Q"_v(i); };
-      E.push_back(rec.apply(ElevateEnd{}, name(0), B[first]));
+      E.push_back(rec.apply(End{}, name(0), B[first]));
       for (int i = 1; i <= p; ++i)
         E.push_back(rec.apply(Elevate{}, name(i), alpha[i - 1], B[first + i - 1], B[first + i]));
-      E.push_back(rec.apply(ElevateEnd{}, name(p + 1), B[first + p]));
+      E.push_back(rec.apply(End{}, name(p + 1), B[first + p]));
       if constexpr (R::recording)
         for (int i = 0; i <= p; ++i) rec.retire(B[first + i].id);
     }
@@ -275,8 +275,9 @@ PointCells<R> recompose(R& rec, const PointCells<R>& E, const Knots& U, const st
 
 }  // namespace elevation
 
-// Preconditions: a valid curve, times >= 1, degree + times <= max_degree. `knots` is the knot vector as one value.
-template <class R, class CurveIn, class KnotList, class Times>
+// Preconditions: a valid curve, times >= 1, degree + times <= max_degree. `knots` is the knot vector as one value; End
+// the rule of the points that stay.
+template <class End = ElevateEnd, class R, class CurveIn, class KnotList, class Times>
 MadeCurve<R> elevate_degree(R& rec, const CurveIn& curve, const KnotList& knots, const Times& times) {
   const int p = curve.degree;
   const int q = p + times.value;
@@ -293,7 +294,7 @@ MadeCurve<R> elevate_degree(R& rec, const CurveIn& curve, const KnotList& knots,
     elevation::PointCells<R> B;
     B.reserve(p + 1);
     for (int i = 0; i <= p; ++i) B.push_back(curve.P[i]);
-    made.P = elevation::elevate_segments(rec, std::move(B), p, times.value, false);
+    made.P = elevation::elevate_segments<End>(rec, std::move(B), p, times.value, false);
   } else {
     elevation::PointCells<R> B, E;
     {
@@ -302,7 +303,7 @@ MadeCurve<R> elevate_degree(R& rec, const CurveIn& curve, const KnotList& knots,
     }
     {
       auto phase = rec.phase({"elevate"});
-      E = elevation::elevate_segments(rec, std::move(B), p, times.value, true);
+      E = elevation::elevate_segments<End>(rec, std::move(B), p, times.value, true);
     }
     auto phase = rec.phase({"recompose"});
     const auto V = rec.apply(ElevateKnots{}, "V"_v, degree, times, knots);

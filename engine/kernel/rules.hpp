@@ -18,11 +18,12 @@
 namespace blossom {
 
 enum class Polar : std::uint8_t {
-  none,    // the value is no blossom value
-  blend,   // what the two points share, and the parameter: f(A, a), f(A, b) -> f(A, u)
-  merge,   // the union of both labels: degree elevation
-  same,    // the label of the operand
-  repeat,  // the label of the operand with its last argument once more: the end of an elevated Bezier curve
+  none,      // the value is no blossom value
+  blend,     // what the two points share, and the parameter: f(A, a), f(A, b) -> f(A, u)
+  merge,     // the union of both labels: degree elevation
+  same,      // the label of the operand
+  repeat,    // the label of the operand with its last argument once more: the end of an elevated Bezier curve
+  repeat_v,  // the same in the v-arguments of a surface's label
 };
 
 // (1 - a) A + a B
@@ -110,6 +111,17 @@ struct Same {
   static constexpr std::string_view name = "same";
   static constexpr std::string_view formula = "{0}";
   static constexpr Polar polar = Polar::same;
+  template <Scalar S>
+  static HPoint<S> apply(const HPoint<S>& A) {
+    return A;
+  }
+};
+
+// The same point under another name, with a label that its maker tells (an input or what was solved for has none)
+struct Relabel {
+  static constexpr std::string_view name = "relabel";
+  static constexpr std::string_view formula = "{0}";
+  static constexpr Polar polar = Polar::none;
   template <Scalar S>
   static HPoint<S> apply(const HPoint<S>& A) {
     return A;

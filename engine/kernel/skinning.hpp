@@ -11,111 +11,19 @@
 //
 // In homogeneous coordinates when any profile is rational; distances are measured between the points themselves.
 
-#include <cmath>
-
-#include "kernel/basis.hpp"
-#include "kernel/compatible.hpp"
-#include "kernel/error.hpp"
+#include "kernel/construction.hpp"
+#include "kernel/elimination.hpp"
+#include "kernel/parameters.hpp"
 
 namespace blossom {
 
-// |A - B| of the points of two homogeneous points
-struct Distance {
-  static constexpr std::string_view name = "distance";
-  static constexpr std::string_view formula = "|{0} - {1}|";
-  static constexpr Polar polar = Polar::none;
-  template <Scalar S>
-  static S apply(const HPoint<S>& A, const HPoint<S>& B) {
-    const S x = A.x / A.w - B.x / B.w;
-    const S y = A.y / A.w - B.y / B.w;
-    const S z = A.z / A.w - B.z / B.w;
-    using std::sqrt;
-    return sqrt(x * x + y * y + z * z);
-  }
-  template <Scalar S>
-  static bool defined(const HPoint<S>& A, const HPoint<S>& B) {
-    return !(A.w == S(0)) && !(B.w == S(0));
-  }
-};
-
-// The square root of a number
-struct Root {
-  static constexpr std::string_view name = "root";
-  static constexpr std::string_view formula = "sqrt({0})";
-  static constexpr Polar polar = Polar::none;
-  template <Scalar S>
-  static S apply(const S& a) {
-    using std::sqrt;
-    return sqrt(a);
-  }
-  template <Scalar S>
-  static bool defined(const S& a) {
-    return !(a < S(0));
-  }
-};
-
-// N_{j,q}(v) over the knots V
-struct BasisValue {
-  static constexpr std::string_view name = "basis";
-  static constexpr std::string_view formula = "N_({0},{1})({2})";
-  static constexpr Polar polar = Polar::none;
-  template <Scalar S>
-  static S apply(int j, int q, const S& v, std::span<const S> V) {
-    return basis_function(V, q, j, v);
-  }
-  template <Scalar S>
-  static bool defined(int j, int q, const S& v, std::span<const S> V) {
-    return q >= 1 && q <= max_degree && j >= 0 && j + q + 1 < static_cast<int>(V.size()) &&
-           FindSpan::defined<S>(q, v, V);
-  }
-};
-
-// a - m b of numbers
-struct ReduceNumber {
-  static constexpr std::string_view name = "reduce_number";
-  static constexpr std::string_view formula = "{0} - {1} · {2}";
-  static constexpr Polar polar = Polar::none;
-  template <Scalar S>
-  static S apply(const S& a, const S& m, const S& b) {
-    return a - m * b;
-  }
-};
-
-// A - m B of right-hand sides
-struct Reduce {
-  static constexpr std::string_view name = "reduce";
-  static constexpr std::string_view formula = "{0} - {1} · {2}";
-  static constexpr Polar polar = Polar::none;
-  static constexpr bool makes_vector = true;
-  template <Scalar S>
-  static HPoint<S> apply(const HPoint<S>& A, const S& m, const HPoint<S>& B) {
-    return {A.x - m * B.x, A.y - m * B.y, A.z - m * B.z, A.w - m * B.w};
-  }
-};
-
-// A / d
-struct Scale {
-  static constexpr std::string_view name = "divide";
-  static constexpr std::string_view formula = "{0} / {1}";
-  static constexpr Polar polar = Polar::none;
-  template <Scalar S>
-  static HPoint<S> apply(const HPoint<S>& A, const S& d) {
-    return {A.x / d, A.y / d, A.z / d, A.w / d};
-  }
-  template <Scalar S>
-  static bool defined(const HPoint<S>&, const S& d) {
-    return !(d == S(0));
-  }
-};
-
-enum class Parametrization { chord, centripetal, uniform };
-
 namespace skin {
 
-// The parameters v_0..v_K of the profiles. Error: two neighbouring profiles coincide, or a weight is 0.
-template <class R>
+// The parameters v_0..v_K of the profiles, called name(l). Error: two neighbouring profiles coincide, or a weight is 0.
+template <class R, class ParameterName = NameMaker>
 Cells<typename R::Number, typename R::Id> parameters(R& rec, const std::vector<MadeCurve<R>>& profiles,
-                                                     Parametrization parametrization) {
+                                                     Parametrization parametrization,
+                                                     const ParameterName& name = "v"_v) {
   using S = typename R::Number;
   using Id = typename R::Id;
   const int K = static_cast<int>(profiles.size()) - 1;
@@ -124,7 +32,7 @@ Cells<typename R::Number, typename R::Id> parameters(R& rec, const std::vector<M
   v.reserve(K + 1);
   if (parametrization == Parametrization::uniform) {
     const auto intervals = rec.input("K"_v, K);
-    for (int l = 0; l <= K; ++l) v.push_back(rec.apply(Fraction{}, "v"_v(l), rec.input("l"_v(l), l), intervals));
+    for (int l = 0; l <= K; ++l) v.push_back(rec.apply(Fraction{}, name(l), rec.input("l"_v(l), l), intervals));
     return v;
   }
 
@@ -153,13 +61,13 @@ Cells<typename R::Number, typename R::Id> parameters(R& rec, const std::vector<M
       share[static_cast<std::size_t>(l) - 1].push_back(rec.apply(Quotient{}, "e"_v(l, i), d[l - 1], total));
   }
   if (share[0].size() == 0) throw KernelError{"profiles", "all profiles coincide: there is no surface through them"};
-  v.push_back(rec.input("v"_v(0), S(0)));
+  v.push_back(rec.input(name(0), S(0)));
   for (int l = 1; l < K; ++l) {
     const auto& e = share[static_cast<std::size_t>(l) - 1];
     const auto mean = rec.apply(Mean{}, "e"_v(l), slice(e, 0, e.size()));
-    v.push_back(rec.apply(Sum{}, "v"_v(l), v[l - 1], mean));
+    v.push_back(rec.apply(Sum{}, name(l), v[l - 1], mean));
   }
-  v.push_back(rec.input("v"_v(K), S(1)));
+  v.push_back(rec.input(name(K), S(1)));
   for (int l = 1; l <= K; ++l)
     if (!(v[l - 1].value < v[l].value))
       throw KernelError{"profiles[" + std::to_string(l) + "]",
@@ -167,53 +75,66 @@ Cells<typename R::Number, typename R::Id> parameters(R& rec, const std::vector<M
   return v;
 }
 
-// The banded matrix N_{j,q}(v_l), eliminated in place: below the diagonal its multipliers, above it the triangle.
-template <class R>
-struct Eliminated {
-  int size = 0;
-  std::vector<int> first, last;  // the columns of each row that can differ from zero
-  int stride = 0;
-  Cells<typename R::Number, typename R::Id> entries;  // row l, column j at l * stride + j - first[l]
-
-  auto at(int l, int j) const { return entries[l * stride + j - first[static_cast<std::size_t>(l)]]; }
-  template <class V>
-  void set(int l, int j, const V& value) {
-    entries.set(l * stride + j - first[static_cast<std::size_t>(l)], value);
-  }
-};
-
+// The matrix N_{j,q}(v_l), eliminated.
 template <class R, class Degree, class KnotList>
-Eliminated<R> eliminate(R& rec, const Cells<typename R::Number, typename R::Id>& v, const Degree& q,
-                        const KnotList& V) {
+Band<R> matrix(R& rec, const Cells<typename R::Number, typename R::Id>& v, const Degree& q, const KnotList& V) {
   using S = typename R::Number;
   const int K = v.size() - 1;
-  Eliminated<R> A;
-  A.size = K + 1;
-  A.stride = q.value + 1;
-  A.first.assign(static_cast<std::size_t>(K) + 1, 0);
-  A.last.assign(static_cast<std::size_t>(K) + 1, 0);
-  A.entries.resize((K + 1) * A.stride);
+  Band<R> A(K + 1, q.value + 1);
   for (int l = 0; l <= K; ++l) {
     // The curve ends in its first and last point: these rows are unit rows.
-    const int k = find_span(std::span<const S>(V.value), q.value, v[l].value);
+    const int k = row_span(std::span<const S>(V.value), q.value, v[l].value);
     const bool end = l == 0 || l == K;
     const int from = end ? l : k - q.value;
     const int to = end ? l : k;
-    A.first[static_cast<std::size_t>(l)] = from;
-    A.last[static_cast<std::size_t>(l)] = to;
+    A.set_row(l, from, to);
     for (int j = from; j <= to; ++j)
       A.set(l, j, rec.apply(BasisValue{}, "N"_v(l, j), rec.input("j"_v(l, j), j), q, v[l], V));
   }
-  for (int c = 0; c < K; ++c) {
-    for (int l = c + 1; l <= K && A.first[static_cast<std::size_t>(l)] <= c; ++l) {
-      auto phase = rec.phase({"row", l, true});
-      const auto m = rec.apply(Quotient{}, "m"_v(l, c), A.at(l, c), A.at(c, c));
-      A.set(l, c, m);
-      for (int j = c + 1; j <= A.last[static_cast<std::size_t>(c)]; ++j)
-        A.set(l, j, rec.apply(ReduceNumber{}, "A"_v(c, j), A.at(l, j), m, A.at(c, j)));
-    }
-  }
+  eliminate(rec, A, "profiles");
   return A;
+}
+
+// The profiles' control points interpolated across at v, with degree q over the knots V (phase interpolate): the net,
+// whose points are called Q[i][l].
+template <class R, class Degree, class KnotList>
+construct::Net<R> across(R& rec, const std::vector<MadeCurve<R>>& profiles,
+                         const Cells<typename R::Number, typename R::Id>& v, const Degree& q, const KnotList& V) {
+  auto phase = rec.phase({"interpolate"});
+  construct::Net<R> net(profiles[0].P.size(), v.size());
+  const auto A = matrix(rec, v, q, V);
+  Cells<HPoint<typename R::Number>, typename R::Id> D;
+  D.resize(v.size());
+  for (int i = 0; i < net.rows; ++i) {
+    auto column = rec.phase({"column", i, true});
+    for (int l = 0; l < v.size(); ++l) D.set(l, profiles[static_cast<std::size_t>(l)].P[i]);
+    const auto name = [i](int l) { return outer("Q"_v(i, l)); };
+    solve(rec, A, D, name, [&](int l, const auto& Q) { net.set(i, l, Q); });
+  }
+  return net;
+}
+
+// The same over averaged knots (phase knots).
+template <class R>
+struct Lofted {
+  Cells<typename R::Number, typename R::Id> knots;
+  construct::Net<R> net;
+};
+template <class R, class Degree>
+Lofted<R> interpolate(R& rec, const std::vector<MadeCurve<R>>& profiles,
+                      const Cells<typename R::Number, typename R::Id>& v, const Degree& q) {
+  Cells<typename R::Number, typename R::Id> knots;
+  {
+    auto phase = rec.phase({"knots"});
+    const int K = v.size() - 1;
+    knots.reserve(K + q.value + 2);
+    for (int i = 0; i <= q.value; ++i) knots.push_back(v[0]);
+    for (int j = 1; j <= K - q.value; ++j) knots.push_back(rec.apply(Mean{}, "V"_v(j + q.value), slice(v, j, q.value)));
+    for (int i = 0; i <= q.value; ++i) knots.push_back(v[K]);
+  }
+  const auto V = rec.apply(Gather{}, "V"_v, slice(knots, 0, knots.size()));
+  auto net = across(rec, profiles, v, q, V);
+  return {std::move(knots), std::move(net)};
 }
 
 }  // namespace skin
@@ -231,26 +152,14 @@ Surface<typename R::Number> skinning(const std::vector<Curve<typename R::Number>
   std::vector<MadeCurve<R>> profiles(given.size());
   for (int l = 0; l <= K; ++l) {
     const auto& curve = given[static_cast<std::size_t>(l)];
-    auto& profile = profiles[static_cast<std::size_t>(l)];
     rational = rational || curve.rational;
-    const auto U = rec.inputs("U"_v, l, std::span<const S>(curve.knots));
-    const auto P = rec.inputs("P"_v, l, std::span<const HPoint<S>>(curve.points));
-    profile.degree = curve.degree;
-    profile.dimension = curve.dimension;
-    profile.rational = curve.rational;
-    profile.U.reserve(U.size());
-    for (int i = 0; i < U.size(); ++i) profile.U.push_back(U[i]);
-    profile.P.reserve(P.size());
-    for (int i = 0; i < P.size(); ++i) profile.P.push_back(P[i]);
-    if constexpr (R::recording)
-      for (int i = 0; i < P.size(); ++i) rec.polar_knots(P[i].id, U[i + 1].id, curve.degree);
+    profiles[static_cast<std::size_t>(l)] = construct::given(rec, curve, l);
   }
 
   {
     auto phase = rec.phase({"compatible"});
     make_compatible(rec, profiles);
   }
-  const int n = profiles[0].P.size() - 1;
 
   Cells<S, Id> v;
   {
@@ -258,57 +167,9 @@ Surface<typename R::Number> skinning(const std::vector<Curve<typename R::Number>
     v = skin::parameters(rec, profiles, parametrization);
   }
 
-  Cells<S, Id> knots;
-  {
-    auto phase = rec.phase({"knots"});
-    knots.reserve(K + degree_v + 2);
-    const auto begin = v[0];
-    const auto end = v[K];
-    for (int i = 0; i <= degree_v; ++i) knots.push_back(begin);
-    for (int j = 1; j <= K - degree_v; ++j)
-      knots.push_back(rec.apply(Mean{}, "V"_v(j + degree_v), slice(v, j, degree_v)));
-    for (int i = 0; i <= degree_v; ++i) knots.push_back(end);
-  }
-  const auto V = rec.apply(Gather{}, "V"_v, slice(knots, 0, knots.size()));
-
-  Surface<S> surface;
-  surface.degree = {profiles[0].degree, degree_v};
-  surface.knots[0].assign(profiles[0].U.values().begin(), profiles[0].U.values().end());
-  surface.knots[1] = V.value;
-  surface.rows = n + 1;
-  surface.columns = K + 1;
-  surface.rational = rational;
-  surface.points.resize(static_cast<std::size_t>((n + 1) * (K + 1)));
-
-  auto phase = rec.phase({"interpolate"});
-  const auto A = skin::eliminate(rec, v, q, V);
-  Cells<HPoint<S>, Id> D;
-  D.resize(K + 1);
-  for (int i = 0; i <= n; ++i) {
-    auto column = rec.phase({"column", i, true});
-    for (int l = 0; l <= K; ++l) {
-      const auto given_point = profiles[static_cast<std::size_t>(l)].P[i];
-      Traced<HPoint<S>, Id> right{given_point.value, given_point.id};
-      for (int c = A.first[static_cast<std::size_t>(l)]; c < l; ++c)
-        right = rec.apply(Reduce{}, "D"_v(l, c), right, A.at(l, c), D[c]);
-      D.set(l, right);
-    }
-    for (int l = K; l >= 0; --l) {
-      Traced<HPoint<S>, Id> right{D[l].value, D[l].id};
-      for (int j = A.last[static_cast<std::size_t>(l)]; j > l; --j)
-        right = rec.apply(Reduce{}, "X"_v(l, j), right, A.at(l, j), D[j]);
-      const auto Q = rec.apply(Scale{}, outer("Q"_v(i, l)), right, A.at(l, l));
-      D.set(l, Q);
-      surface.at(i, l) = Q.value;
-      if (!rational) surface.at(i, l).w = S(1);  // up to rounding it is
-      rec.polar_net(Q.id,
-                    std::span<const S>(surface.knots[0])
-                        .subspan(static_cast<std::size_t>(i) + 1, static_cast<std::size_t>(surface.degree[0])),
-                    std::span<const S>(surface.knots[1])
-                        .subspan(static_cast<std::size_t>(l) + 1, static_cast<std::size_t>(degree_v)));
-    }
-  }
-  return surface;
+  auto lofted = skin::interpolate(rec, profiles, v, q);
+  return construct::surface(rec, std::move(lofted.net), profiles[0].degree, profiles[0].U.values(), degree_v,
+                            lofted.knots.values(), rational);
 }
 
 }  // namespace blossom

@@ -6,7 +6,7 @@
 namespace blossom {
 namespace {
 
-constexpr std::array<std::pair<FileKind, std::string_view>, 11> names{{{FileKind::lesson, "lesson"},
+constexpr std::array<std::pair<FileKind, std::string_view>, 12> names{{{FileKind::lesson, "lesson"},
                                                                        {FileKind::exercise, "exercise"},
                                                                        {FileKind::assignment, "assignment"},
                                                                        {FileKind::answers, "answers"},
@@ -15,6 +15,7 @@ constexpr std::array<std::pair<FileKind, std::string_view>, 11> names{{{FileKind
                                                                        {FileKind::trace, "trace"},
                                                                        {FileKind::curve, "curve"},
                                                                        {FileKind::surface, "surface"},
+                                                                       {FileKind::scene, "scene"},
                                                                        {FileKind::schema, "schema"},
                                                                        {FileKind::unknown, "unknown"}}};
 
@@ -24,7 +25,7 @@ FileKind kind_of_schema(std::string_view schema) {
   schema.remove_prefix(prefix.size());
   const std::string_view name = schema.substr(0, schema.find('/'));
   for (const auto kind : {FileKind::lesson, FileKind::exercise, FileKind::assignment, FileKind::answers,
-                          FileKind::grade, FileKind::result, FileKind::trace})
+                          FileKind::grade, FileKind::result, FileKind::trace, FileKind::scene})
     if (name == file_kind_name(kind)) return kind;
   return FileKind::unknown;
 }
@@ -56,6 +57,7 @@ FileKind file_kind(const Json& root) {
   if (root.find("answers") != nullptr) return FileKind::answers;
   if (root.find("parts") != nullptr) return FileKind::grade;
   if (root.find("steps") != nullptr && root.find("values") != nullptr) return FileKind::trace;
+  if (root.find("objects") != nullptr) return FileKind::scene;
   const Json* degree = root.find("degree");
   if (degree == nullptr && root.find("points") == nullptr) return FileKind::unknown;
   return degree != nullptr && degree->kind == Json::Kind::array ? FileKind::surface : FileKind::curve;

@@ -20,6 +20,7 @@ std::string Document::id() const {
 std::string Document::title() const {
   if (lesson) return printable(lesson->title);
   if (grader) return printable(grader->exercise().title);
+  if (!called.empty()) return called;
   return file.empty() ? std::string(algorithm->title) : printable(file.filename().string());
 }
 

@@ -21,6 +21,7 @@ struct Document {
   std::optional<Lesson> lesson;
   std::shared_ptr<const Grader> grader;  // of an exercise
   Marking marking = Marking::at_once;
+  std::string called;             // its title, where neither a lesson nor a file says one
   std::vector<std::string> asks;  // what a lesson has predicted; empty: what its algorithm usually asks
 
   std::string id() const;

@@ -65,66 +65,6 @@ std::optional<ValueId> value_of(const TraceGraph& trace, const Inputs<Exact>& in
   return std::nullopt;
 }
 
-Point<Exact> affine(const Curve<Exact>& curve, std::size_t point) {
-  const HPoint<Exact>& P = curve.points[point];
-  if (P.w == Exact(0)) return {P.x, P.y, P.z};
-  return {P.x / P.w, P.y / P.w, P.z / P.w};
-}
-
-// ---- points ---------------------------------------------------------------------------------------------------------
-
-namespace {
-
-HPoint<Exact> weighted(const Point<Exact>& P, const Exact& w, int dimension) {
-  return {P.x * w, P.y * w, dimension == 3 ? P.z * w : Exact(0), w};
-}
-
-// What the reader of files asks of a number.
-bool is_readable(const Exact& x) {
-  constexpr std::size_t longest = 400;
-  return !x.is_approximate() && std::isfinite(x.to_double()) && x.to_string().size() <= longest;
-}
-
-std::string in_list(const std::string& path, std::string_view list, std::size_t index) {
-  return path + "." + std::string(list) + "[" + std::to_string(index) + "]";
-}
-
-}  // namespace
-
-Edited move_point(const Algorithm& algorithm, const Inputs<Exact>& inputs, const PointAddress& address,
-                  const Point<Exact>& to) {
-  Inputs<Exact> edited = inputs;
-  const CurveAddress at{address.input, address.curve};
-  Curve<Exact>* curve = find_curve(edited, at);
-  const std::string path = path_of(edited, at);
-  if (curve == nullptr || address.point >= curve->points.size())
-    return refused(in_list(path, "points", address.point), "there is no such control point");
-  HPoint<Exact>& P = curve->points[address.point];
-  if (P.w == Exact(0))
-    return refused(in_list(path, "weights", address.point),
-                   "is 0, so that the point has no place; give it a positive weight first");
-  P = weighted(to, P.w, curve->dimension);
-  // A point is dragged many times in a second. All that files are asked about a place is how large its numbers are, so
-  // that the rest of a long curve need not be read again.
-  if (is_readable(to.x) && is_readable(to.y) && (curve->dimension == 2 || is_readable(to.z)) &&
-      std::isfinite(P.x.to_double() + P.y.to_double() + P.z.to_double()))
-    return fitting(algorithm, std::move(edited));
-  return checked_and_fitted(algorithm, std::move(edited), at);
-}
-
-Edited set_weight(const Algorithm& algorithm, const Inputs<Exact>& inputs, const PointAddress& address,
-                  const Exact& weight) {
-  return change_curve(algorithm, inputs, {address.input, address.curve},
-                      [&](Curve<Exact>& curve, const std::string& path) -> std::optional<Diagnostic> {
-                        if (address.point >= curve.points.size())
-                          return wrong(in_list(path, "weights", address.point), "there is no such control point");
-                        const Point<Exact> place = affine(curve, address.point);
-                        curve.points[address.point] = weighted(place, weight, curve.dimension);
-                        curve.rational = curve.rational || weight != Exact(1);
-                        return std::nullopt;
-                      });
-}
-
 // ---- the other inputs -----------------------------------------------------------------------------------------------
 
 namespace {

@@ -9,6 +9,7 @@
 // down as far as it must. So one can change knots, degrees and kinds without caring about u first.
 
 #include "algorithms/run.hpp"
+#include "studio/edit_curve.hpp"
 
 namespace blossom {
 
@@ -32,39 +33,20 @@ const Curve<Exact>& curve_at(const Inputs<Exact>&, const CurveAddress&);
 std::optional<PointAddress> address_of(const TraceGraph&, const Inputs<Exact>&, ValueId);
 std::optional<ValueId> value_of(const TraceGraph&, const Inputs<Exact>&, const PointAddress&);
 
-// The place of a point as people type it, not multiplied with its weight (in 2D the third is 0).
-Point<Exact> affine(const Curve<Exact>&, std::size_t point);
-
 using Edited = Checked<Inputs<Exact>>;
 
 // Inputs around a curve: the middle of its domain for a parameter, all else as when a file leaves it out.
 Edited inputs_around(const Algorithm&, const Curve<Exact>&);
 
-// A point of weight 0 has no place and cannot be moved.
+// What is done to one curve, and how, is said in studio/edit_curve.hpp.
 Edited move_point(const Algorithm&, const Inputs<Exact>&, const PointAddress&, const Point<Exact>& to);
-// A polynomial curve becomes rational by its first weight that is not 1. A point that gets weight 0 loses its place.
 Edited set_weight(const Algorithm&, const Inputs<Exact>&, const PointAddress&, const Exact& weight);
-// Behind the addressed point. The curve keeps its degree if it has knots (one knot is added in the middle of the
-// longest span near the point), and a Bezier curve gets one degree more. The new point has weight 1.
 Edited insert_point(const Algorithm&, const Inputs<Exact>&, const PointAddress& behind, const Point<Exact>& at);
-// With the inner knot nearest the point; a Bezier curve gets one degree less.
 Edited delete_point(const Algorithm&, const Inputs<Exact>&, const PointAddress&);
-
-// Knots stay in order: a value beyond a neighbour is refused at the knot itself.
 Edited set_knot(const Algorithm&, const Inputs<Exact>&, const CurveAddress&, std::size_t index, const Exact& value);
-// All knots that equal the one of this index.
 Edited set_equal_knots(const Algorithm&, const Inputs<Exact>&, const CurveAddress&, std::size_t index,
                        const Exact& value);
-
-// The degree, with the same control points: new clamped uniform knots over the same domain (a Bezier curve: points are
-// added by degree elevation, or the last ones left out).
 Edited set_degree(const Algorithm&, const Inputs<Exact>&, const CurveAddress&, int degree);
-
-enum class CurveKind { bezier, rational_bezier, bspline, nurbs };
-std::string_view curve_kind_name(CurveKind);  // "Bézier", "rational Bézier", "B-spline", "NURBS"
-CurveKind kind_of(const Curve<Exact>&);
-// To polynomial: weights are dropped, points keep their places. To Bezier: the degree becomes n (25 at most, or it is a
-// diagnostic). To B-spline: the Bezier knots, written out.
 Edited set_kind(const Algorithm&, const Inputs<Exact>&, const CurveAddress&, CurveKind);
 
 // A copy, moved on as the row of curves goes.

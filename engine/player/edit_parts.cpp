@@ -93,26 +93,6 @@ Diagnostics reread(const Algorithm& algorithm, Inputs<Exact>& edited, std::strin
   return {};
 }
 
-// Likewise one curve, which may be one of several: these stand for a 0 in front of it.
-Diagnostics reread(Inputs<Exact>& edited, const CurveAddress& changed) {
-  Curve<Exact>& curve = *find_curve(edited, changed);
-  std::string text = write_curve(curve);
-  const bool several = path_of(edited, changed) != changed.input;
-  if (several) {
-    std::string others = "[";
-    for (std::size_t i = 0; i < changed.curve; ++i) others += "0,";
-    text = others + text + "]";
-  }
-  const auto document = JsonDocument::parse("inputs", "{" + json_quote(changed.input) + ":" + text + "}");
-  if (!document) return without_places(document.diagnostics);
-  Diagnostics diagnostics;
-  const Cursor input = *Cursor(*document, diagnostics).optional(changed.input);
-  auto read = read_curve(several ? input[changed.curve] : input);
-  if (!read) return without_places(std::move(diagnostics));
-  curve = std::move(*read);
-  return {};
-}
-
 }  // namespace
 
 Edited refused(std::string path, std::string message) {
@@ -144,12 +124,6 @@ Edited checked(const Algorithm& algorithm, Inputs<Exact> edited, std::string_vie
 Edited checked_and_fitted(const Algorithm& algorithm, Inputs<Exact> edited, std::string_view changed) {
   if (auto wrong = reread(algorithm, edited, changed); !wrong.empty()) return wrong;
   fit_others(algorithm, edited, changed);
-  return fitting(algorithm, std::move(edited));
-}
-
-Edited checked_and_fitted(const Algorithm& algorithm, Inputs<Exact> edited, const CurveAddress& changed) {
-  if (auto wrong = reread(edited, changed); !wrong.empty()) return wrong;
-  fit_others(algorithm, edited, changed.input);
   return fitting(algorithm, std::move(edited));
 }
 

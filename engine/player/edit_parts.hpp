@@ -10,8 +10,6 @@ namespace blossom::edits {
 Edited checked(const Algorithm&, Inputs<Exact> edited, std::string_view changed);
 // The same, after the others were made to fit (see edit.hpp).
 Edited checked_and_fitted(const Algorithm&, Inputs<Exact> edited, std::string_view changed);
-// The same, where of several curves only this one was changed.
-Edited checked_and_fitted(const Algorithm&, Inputs<Exact> edited, const CurveAddress& changed);
 // Only what the algorithm demands of inputs that are each valid alone.
 Edited fitting(const Algorithm&, Inputs<Exact> edited);
 // Makes the other inputs fit this one, where that is possible.
@@ -23,15 +21,21 @@ Edited refused(std::string path, std::string message);
 std::string path_of(const Inputs<Exact>&, const CurveAddress&);
 Curve<Exact>* find_curve(Inputs<Exact>&, const CurveAddress&);  // nullptr: there is none
 
-// Does `change` to a copy of the curve, checks, and fits the others. `change(curve, path)` returns what is wrong, if it
-// cannot be done.
+// Whether the other inputs are made to fit after a change.
+enum class Others { stay, fit };
+// Puts what `change` makes of the curve in its place. What it says is wrong is said of the input.
 template <class Change>
-Edited change_curve(const Algorithm& algorithm, Inputs<Exact> inputs, const CurveAddress& address, Change&& change) {
+Edited change_curve(const Algorithm& algorithm, Inputs<Exact> inputs, const CurveAddress& address, Others others,
+                    Change&& change) {
   Curve<Exact>* curve = find_curve(inputs, address);
   const std::string path = path_of(inputs, address);
   if (curve == nullptr) return refused(path, "there is no such curve");
-  if (std::optional<Diagnostic> wrong = change(*curve, path)) return Diagnostics{*std::move(wrong)};
-  return checked_and_fitted(algorithm, std::move(inputs), address);
+  edit::EditedCurve edited = change(std::move(*curve));
+  for (Diagnostic& each : edited.diagnostics) each.path = path + (each.path.empty() ? "" : "." + each.path);
+  if (!edited) return std::move(edited.diagnostics);
+  *curve = std::move(*edited);
+  if (others == Others::fit) fit_others(algorithm, inputs, address.input);
+  return fitting(algorithm, std::move(inputs));
 }
 
 inline Diagnostic wrong(std::string path, std::string message) {

@@ -78,6 +78,7 @@ void Player::let_go() {
 }
 
 bool Player::put_back() {
+  if (in_studio()) return studio_->put_back();
   if (!session_ || !held_ || held_->over) return false;
   held_->over = true;
   if (const auto* look = std::get_if<LookGrip>(&held_->grip)) {

@@ -185,6 +185,8 @@ Emphasis emphasis_of(const StepSource& source, const Link& link, std::uint32_t s
   Emphasis emphasis;
   switch (link.kind) {
     case Link::Kind::none:
+    case Link::Kind::object:  // of the studio, where nothing is traced
+    case Link::Kind::handle:
       break;
     case Link::Kind::value:
       return emphasis_of_value(source, link.id, step);

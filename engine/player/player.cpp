@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lesson/file_kind.hpp"
+#include "studio/scene_file.hpp"
+
 namespace blossom {
 
 namespace fs = std::filesystem;
@@ -14,6 +17,12 @@ constexpr std::size_t most_ringed = 6;  // of what a lesson points out
 
 double eased(double t) { return t * t * (3 - 2 * t); }
 
+// What is opened in the studio wherever one is; a curve alone goes there only if one is in it.
+bool is_for_studio(const JsonDocument& json) {
+  const FileKind kind = file_kind(json.root());
+  return kind == FileKind::scene || kind == FileKind::surface;
+}
+
 }  // namespace
 
 Player::Player(PlayerOptions options, Desk& desk) : options_(std::move(options)), desk_(&desk) {
@@ -24,17 +33,21 @@ Player::Player(PlayerOptions options, Desk& desk) : options_(std::move(options))
   if (!wrong.empty()) show_problems("What was remembered could not all be read", std::move(wrong));
   lost_ = blossom::lost_work(options_.places);
   autosave_ = autosave_file(options_.places);
+  scene_autosave_ = autosave_file(options_.places);
 }
 
 Player::~Player() {
   // What is unsaved when somebody quits was given up on purpose; when the system ends the player, it is offered again.
   if (session_ && quit_) session_->mark_saved();
+  if (studio_ && quit_) studio_->mark_saved(studio_->file());
   keep();
 }
 
 // ---- what is open ---------------------------------------------------------------------------------------------------
 
 bool Player::open(const fs::path& file, std::string_view algorithm) {
+  if (const auto json = JsonDocument::load(file); json && algorithm.empty() && is_for_studio(*json))
+    return open_into_scene(*json, file);
   auto document = open_document(file, algorithm);
   if (!document) {
     show_problems(printable(file.filename().string()) + " cannot be opened", std::move(document.diagnostics));
@@ -44,6 +57,12 @@ bool Player::open(const fs::path& file, std::string_view algorithm) {
 }
 
 bool Player::open(Document document) {
+  if (!begin(std::move(document))) return false;
+  studio_.reset();
+  return true;
+}
+
+bool Player::begin(Document document) {
   const fs::path file = document.file;
   auto session = Session::open(std::move(document), settings.exact);
   if (!session) {
@@ -59,9 +78,7 @@ bool Player::open(Document document) {
   watch_ = file.empty() || !options_.watch ? FileWatch() : FileWatch(file);
   session_->move([&](Timeline& t) { return t.set_speed(settings.speed), false; });
   if (!file.empty()) {
-    std::erase(settings.recent, file);
-    settings.recent.insert(settings.recent.begin(), file);
-    if (settings.recent.size() > 12) settings.recent.resize(12);
+    remember_file(file);
     if (const Progress* known = progress(file)) {
       session_->set_bookmarks(known->bookmarks);
       if (known->step > 0 && known->step < known->last && known->last == session_->last()) {
@@ -94,11 +111,29 @@ void Player::forget_what_was_about() {
   motion_ = 1;
 }
 
+void Player::remember_file(const fs::path& file) {
+  std::erase(settings.recent, file);
+  settings.recent.insert(settings.recent.begin(), file);
+  if (settings.recent.size() > most_recent) settings.recent.resize(most_recent);
+}
+
 void Player::unless_unsaved(std::function<void(Player&)> then) {
+  unless_session_unsaved([then = std::move(then)](Player& player) { player.unless_scene_unsaved(then); });
+}
+
+void Player::unless_session_unsaved(std::function<void(Player&)> then) {
   // What one practised in a lesson is not handed in.
   const bool answers = answers_unsaved() && session_->document().kind == Document::Kind::exercise;
   if (!session_ || (!session_->unsaved() && !answers)) return then(*this);
   after_unsaved_ = std::move(then);
+  asks_about_scene_ = false;
+  dialog = Dialog::unsaved;
+}
+
+void Player::unless_scene_unsaved(std::function<void(Player&)> then) {
+  if (!studio_ || !studio_->unsaved()) return then(*this);
+  after_unsaved_ = std::move(then);
+  asks_about_scene_ = true;
   dialog = Dialog::unsaved;
 }
 
@@ -116,8 +151,9 @@ void Player::cancel_dialog() {
 void Player::close() {
   remember_progress();
   session_.reset();
+  studio_.reset();
   held_.reset();
-  watch_ = FileWatch();
+  watch_ = scene_watch_ = FileWatch();
   dismiss_problems();
   dialog = Dialog::none;
   to_keep_ = true;
@@ -131,6 +167,7 @@ void Player::recover_now(std::size_t which) {
   if (which >= lost_.size()) return;
   const Autosave lost = lost_[which];
   auto parsed = JsonDocument::parse(lost.file.filename().string(), lost.content);
+  if (parsed && is_for_studio(*parsed)) return recover_scene(which, *parsed);
   auto document = parsed ? read_document(std::move(*parsed)) : Checked<Document>(parsed.diagnostics);
   if (!document) return show_problems("The recovered edits cannot be opened", std::move(document.diagnostics));
   // The original stays what the edits are edits of, if it can still be read.
@@ -251,6 +288,17 @@ void Player::save_lesson(const fs::path& file, const std::string& id, const std:
 }
 
 void Player::save_picture(const fs::path& file) {
+  if (in_studio()) {
+    WorkspaceLook look = studio_->look();
+    look.camera = studio_->camera_of(studio_->pane);
+    look.handles = false;
+    const ViewSize size = studio_->pane_sizes[static_cast<std::size_t>(studio_->pane)];
+    const Scene page = studio_->scenes().page(studio_->workspace(), look, size.width, size.height);
+    const auto saved = desk_->save_picture(page, file);
+    if (!saved) return show_problems("The picture could not be saved", saved.diagnostics);
+    dialog = Dialog::none;
+    return notice("Saved as " + printable(file.string()));
+  }
   if (!session_) return;
   PageOptions options;
   options.title = session_->document().title();
@@ -278,6 +326,8 @@ void Player::step_changed() {
 }
 
 void Player::settle() {
+  settle_studio();
+  if (in_studio()) return linked_.reset();
   if (!session_) {
     linked_.reset();
     hovered_ = focused = {};
@@ -318,7 +368,8 @@ void Player::after_edit() {
 }
 
 bool Player::animating() const {
-  return motion_ < 1 || glide_.has_value() || (session_ && session_->timeline().playing());
+  return motion_ < 1 || glide_.has_value() || (session_ && session_->timeline().playing()) ||
+         (in_studio() && studio_->running());
 }
 
 bool Player::advance(double seconds) {
@@ -346,6 +397,7 @@ bool Player::advance(double seconds) {
     }
     changed = true;
   }
+  if (in_studio() && studio_->advance(seconds)) changed = true;
   if (notice_left_ > 0) {
     notice_left_ -= seconds;
     if (notice_left_ <= 0) {
@@ -353,7 +405,7 @@ bool Player::advance(double seconds) {
       changed = true;
     }
   }
-  if (!session_ && !shelf_) shelf_ = std::make_unique<Shelf>(options_.lessons, options_.exercises);
+  if (!session_ && !studio_ && !shelf_) shelf_ = std::make_unique<Shelf>(options_.lessons, options_.exercises);
   if (shelf_ && shelf_->version() != shelf_seen_) {
     shelf_seen_ = shelf_->version();
     changed = changed || !session_;
@@ -365,11 +417,16 @@ bool Player::advance(double seconds) {
       look_at_disk();
       changed = true;
     }
+    if (studio_ && scene_watch_.poll()) {
+      look_at_scene_on_disk();
+      changed = true;
+    }
   }
   since_keep_ += seconds;
   if (since_keep_ >= keep_seconds) {
     since_keep_ = 0;
-    if (to_keep_ || !(settings == kept_settings_)) keep();
+    const bool scene_changed = studio_ && studio_->version() != scene_kept_;
+    if (to_keep_ || scene_changed || !(settings == kept_settings_)) keep();
   }
   return changed;
 }
@@ -436,6 +493,12 @@ void Player::keep() {
   } else {
     discard({autosave_, {}, {}, {}, 0});
   }
+  if (studio_) scene_kept_ = studio_->version();
+  if (studio_ && studio_->unsaved())
+    note(write_autosave(options_.places, {scene_autosave_, studio_->file(), studio_->title(),
+                                          write_scene(studio_->workspace()), 0}));
+  else
+    discard({scene_autosave_, {}, {}, {}, 0});
   if (!wrong.empty() && notice_.empty()) notice("What should be remembered could not be written: " + wrong[0].message);
 }
 

@@ -9,6 +9,7 @@
 #include "player/session.hpp"
 #include "player/settings.hpp"
 #include "player/shelf.hpp"
+#include "player/studio.hpp"
 #include "player/watch.hpp"
 #include "scene/camera.hpp"
 
@@ -40,6 +41,10 @@ enum class Dialog : std::uint8_t {
   go_to,    // a step or a value
   recover,  // edits that a crash left behind
   unsaved,  // before edits are lost
+  save_scene,
+  step_with,    // which algorithm is to run on what is chosen in the studio
+  import_file,  // another program's file into the scene
+  export_file,  // the scene for another program
 };
 
 struct PlayerOptions {
@@ -60,15 +65,39 @@ class Player {
   // Opens a file; what is wrong with it becomes the problems, and what was open stays open.
   bool open(const std::filesystem::path&, std::string_view algorithm = {});
   bool open(Document);
+  // The same as a person does it: what is unsaved is asked about first; a curve or a surface goes into the scene that
+  // one works on.
+  void open_asking(const std::filesystem::path&);
   // Asks first (Dialog::unsaved) when edits, or answers to an exercise, would be lost; then does it.
   void unless_unsaved(std::function<void(Player&)> then);
-  void close();  // to the start page
+  bool asks_about_scene() const { return asks_about_scene_; }  // Dialog::unsaved: otherwise about the session
+  void close();                                                // to the start page
   void quit() { quit_ = true; }
   bool wants_to_quit() const { return quit_; }
   const Shelf* shelf() const { return shelf_.get(); }
   const std::vector<Autosave>& lost_work() const { return lost_; }
   void recover(std::size_t which);  // asks first when other edits would be lost
   void forget_lost(std::size_t which);
+
+  // ---- the studio -------------------------------------------------------------------------------------------------
+  // The scene one designs, if there is one; it stays behind what is stepped from it.
+  Studio* studio() { return studio_.get(); }
+  const Studio* studio() const { return studio_.get(); }
+  bool in_studio() const { return studio_ && !session_; }
+  bool stepping_from_studio() const { return studio_ && session_; }
+  void new_scene();
+  void open_scene(Workspace, const std::filesystem::path& file = {});
+  // Everything designed can be stepped: how the current thing was made, or else an algorithm that is asked for (see
+  // Dialog::step_with), on what is chosen.
+  void step_chosen();
+  bool step_made(std::size_t object);
+  bool step_with(const Algorithm&);
+  void back_to_studio();  // asks first when edits of what was stepped would be lost
+  void save_scene();      // to its file, or asks which (Dialog::save_scene)
+  void save_scene(const std::filesystem::path&, const std::string& title);
+  // Another program's file: its things become things of the scene. A notice says what could not be taken, or written.
+  bool import_file(const std::filesystem::path&);
+  bool export_file(const std::filesystem::path&, bool only_chosen);
 
   // What is wrong with a file: shown as a list until it is right or put away.
   struct Problems {
@@ -196,6 +225,15 @@ class Player {
   bool edit(Edited, const std::string& what, const std::string& gesture = {});
 
  private:
+  bool begin(Document);  // a session of it, over the studio if there is one
+  bool step(const Recipe&, std::size_t before, std::string title);
+  bool open_into_scene(const JsonDocument&, const std::filesystem::path&);
+  void unless_session_unsaved(std::function<void(Player&)> then);
+  void unless_scene_unsaved(std::function<void(Player&)> then);
+  void remember_file(const std::filesystem::path&);
+  void recover_scene(std::size_t which, const JsonDocument&);
+  void look_at_scene_on_disk();
+  void settle_studio();
   void remember_progress();
   void stay_before_question();
   void after_edit();
@@ -206,11 +244,15 @@ class Player {
   PlayerOptions options_;
   Desk* desk_;
   std::unique_ptr<Session> session_;
+  std::unique_ptr<Studio> studio_;
+  std::string studio_tab_;  // while one steps
+  std::uint64_t refusals_seen_ = 0, scene_kept_ = 0;
+  bool asks_about_scene_ = false;
   std::unique_ptr<Shelf> shelf_;
   std::uint64_t shelf_seen_ = 0;
   ProgressMap progress_;
   std::vector<Autosave> lost_;
-  std::filesystem::path autosave_;
+  std::filesystem::path autosave_, scene_autosave_;
   Problems problems_;
   std::string notice_;
   double notice_left_ = 0;
@@ -265,7 +307,7 @@ class Player {
   Doubt doubt_ = Doubt::none;
   std::string saved_answers_;  // as they were saved last
 
-  FileWatch watch_;
+  FileWatch watch_, scene_watch_;
   double since_look_ = 0, since_keep_ = 0;
   bool to_keep_ = false;
   Settings kept_settings_;

@@ -6,6 +6,7 @@
 
 #include "lesson/catalog.hpp"
 #include "lesson/file_kind.hpp"
+#include "studio/scene_file.hpp"
 
 namespace blossom {
 namespace fs = std::filesystem;
@@ -100,10 +101,38 @@ void Shelf::load(const std::stop_token& stop, const fs::path& lessons, const fs:
       if (item) items_.push_back(std::make_shared<const ShelfItem>(std::move(*item)));
     }
   }
+  if (!lessons.empty()) load_scenes(stop, lessons / "scenes");
   const std::scoped_lock lock(mutex_);
   ++version_;
   done_ = true;
   loaded_.notify_all();
+}
+
+void Shelf::load_scenes(const std::stop_token& stop, const fs::path& folder) {
+  Diagnostics wrong;
+  for (const fs::path& file : files_of(folder, wrong)) {
+    if (stop.stop_requested()) return;
+    std::shared_ptr<const Workspace> workspace;
+    try {
+      const auto json = JsonDocument::load(file);
+      if (!json || file_kind(json->root()) != FileKind::scene) continue;
+      auto scene = read_scene(*json);
+      wrong.insert(wrong.end(), scene.diagnostics.begin(), scene.diagnostics.end());
+      if (scene) workspace = std::make_shared<const Workspace>(std::move(*scene));
+    } catch (const std::bad_alloc&) {
+      wrong.push_back({file.string(), 0, 0, "", "there is not enough memory for it"});
+    }
+    const std::scoped_lock lock(mutex_);
+    ++version_;
+    if (workspace) scenes_.push_back({file, std::move(workspace)});
+  }
+  const std::scoped_lock lock(mutex_);
+  diagnostics_.insert(diagnostics_.end(), wrong.begin(), wrong.end());
+}
+
+std::vector<ShelfScene> Shelf::scenes() const {
+  const std::scoped_lock lock(mutex_);
+  return scenes_;
 }
 
 std::vector<std::shared_ptr<const ShelfItem>> Shelf::items() const {

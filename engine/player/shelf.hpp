@@ -9,6 +9,7 @@
 
 #include "player/document.hpp"
 #include "player/recording.hpp"
+#include "studio/workspace.hpp"
 
 namespace blossom {
 
@@ -21,15 +22,22 @@ struct ShelfItem {
   std::uint32_t telling_step = 0;              // whose picture tells most: the last of the triangle; a surface's last
 };
 
+// A scene of the folder "scenes" beside the lessons.
+struct ShelfScene {
+  std::filesystem::path file;
+  std::shared_ptr<const Workspace> workspace;
+};
+
 class Shelf {
  public:
-  // Begins to load; the folders may be missing. Other files in them than lessons and exercises are passed over.
+  // Begins to load; the folders may be missing. Other files in them than lessons, exercises and scenes are passed over.
   Shelf(std::filesystem::path lessons, std::filesystem::path exercises);
   ~Shelf();  // stops soon
   Shelf(const Shelf&) = delete;
   Shelf& operator=(const Shelf&) = delete;
 
   std::vector<std::shared_ptr<const ShelfItem>> items() const;  // those loaded so far, lessons first, by file name
+  std::vector<ShelfScene> scenes() const;                               // by file name
   Diagnostics diagnostics() const;                              // of files that are damaged
   bool done() const;
   std::uint64_t version() const;  // grows with every file and at the end: whether to draw anew
@@ -39,7 +47,9 @@ class Shelf {
   void load(const std::stop_token&, const std::filesystem::path& lessons, const std::filesystem::path& exercises);
   mutable std::mutex mutex_;
   std::condition_variable loaded_;
+  void load_scenes(const std::stop_token&, const std::filesystem::path& folder);
   std::vector<std::shared_ptr<const ShelfItem>> items_;
+  std::vector<ShelfScene> scenes_;
   Diagnostics diagnostics_;
   std::uint64_t version_ = 0;
   bool done_ = false;

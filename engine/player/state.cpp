@@ -1,6 +1,9 @@
 #include "player/state.hpp"
 
+#include <algorithm>
 #include <map>
+
+#include "player/studio_state.hpp"
 
 namespace blossom {
 namespace {
@@ -10,11 +13,13 @@ std::string yes(bool b) { return b ? "yes" : "no"; }
 std::string number(double x) { return format_short(x, 4); }
 
 std::string link_text(const Player& player, const Link& link) {
-  static constexpr const char* kinds[] = {"none", "value", "line", "phase", "step", "knot", "parameter", "basis"};
+  static constexpr const char* kinds[] = {"none", "value",     "line",  "phase",  "step",
+                                          "knot", "parameter", "basis", "object", "handle"};
   if (!link) return "none";
+  if (link.kind == Link::Kind::object && player.studio() != nullptr) return thing_text(*player.studio(), link);
   const std::string kind = kinds[static_cast<std::size_t>(link.kind)];
   if (link.kind == Link::Kind::parameter) return "u";
-  if (link.kind != Link::Kind::value) return kind + " " + std::to_string(link.id);
+  if (link.kind != Link::Kind::value || player.session() == nullptr) return kind + " " + std::to_string(link.id);
   return player.session()->recording().graph().name(link.id);
 }
 
@@ -25,9 +30,10 @@ std::string joined(const std::vector<std::uint32_t>& numbers) {
 }
 
 std::string dialog_name(Dialog dialog) {
-  static constexpr const char* names[] = {"none",         "open",     "save_lesson", "save_picture",
-                                          "save_answers", "settings", "shortcuts",   "palette",
-                                          "go_to",        "recover",  "unsaved"};
+  static constexpr const char* names[] = {"none",     "open",       "save_lesson", "save_picture", "save_answers",
+                                          "settings", "shortcuts",  "palette",     "go_to",        "recover",
+                                          "unsaved",  "save_scene", "step_with",
+                                          "import_file", "export_file"};
   return names[static_cast<std::size_t>(dialog)];
 }
 
@@ -37,6 +43,10 @@ using SessionReader = std::string (*)(const Session&);
 const std::map<std::string, Reader, std::less<>>& of_player() {
   static const std::map<std::string, Reader, std::less<>> readers{
       {"open", [](Player& p) { return yes(p.session() != nullptr); }},
+      {"studio",
+       [](Player& p) {
+         return std::string(p.in_studio() ? "yes" : p.stepping_from_studio() ? "behind" : "no");
+       }},
       {"theme", [](Player& p) { return p.settings.theme; }},
       {"text-scale", [](Player& p) { return number(p.settings.text_scale); }},
       {"tab", [](Player& p) { return p.tab; }},
@@ -198,6 +208,11 @@ std::optional<std::string> of_inputs(const Player& player, const std::string& ke
 }  // namespace
 
 std::optional<std::string> state_of(Player& player, const std::string& key) {
+  if (player.in_studio()) {
+    if (key == "hovered") return link_text(player, player.hovered());
+    if (key == "focused") return link_text(player, player.focused);
+    if (auto found = studio_state_of(*player.studio(), key)) return found;
+  }
   if (const auto found = of_player().find(key); found != of_player().end()) return found->second(player);
   if (player.session() == nullptr) return std::nullopt;
   const Session& session = *player.session();
@@ -221,12 +236,16 @@ std::optional<std::string> state_of(Player& player, const std::string& key) {
 
 std::vector<std::string> state_keys() {
   std::vector<std::string> keys;
+  const auto add = [&](const std::string& key) {
+    if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+  };
   for (const auto& [key, reader] : of_player()) keys.push_back(key);
   for (const auto& [key, reader] : of_open()) keys.push_back(key);
   for (const auto& [key, reader] : of_session()) keys.push_back(key);
+  for (const std::string& key : studio_state_keys()) add(key);
   for (const char* key : {"question", "answered", "verdicts", "asked", "draft", "doubt", "finished", "score", "shown",
                           "undos", "u", "degree", "points", "kind-of-curve", "knots"})
-    keys.emplace_back(key);
+    add(key);
   return keys;
 }
 

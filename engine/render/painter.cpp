@@ -70,12 +70,14 @@ class ViewPainter {
     const std::size_t n = mesh.positions.size();
     const auto base = static_cast<std::uint32_t>(points_.size());
     std::vector<bool> drawable(n);
-    const Color color = theme_[mesh.role].color;
+    const bool mapped = mesh.map != ColorMap::none && mesh.values.size() == n;
     for (std::size_t i = 0; i < n; ++i) {
       const auto p = project_(mesh.positions[i]);
       drawable[i] = p.has_value() && near_page(*p);
       points_.push_back(drawable[i] ? pixel(*p) : PixelPoint{});
-      colors_.push_back(i < mesh.normals.size() ? shaded(color, mesh.normals[i], mesh.positions[i]) : color);
+      const Color color = mapped ? map_color(mesh.map, mesh.values[i]) : theme_[mesh.role].face;
+      const bool lit = i < mesh.normals.size();
+      colors_.push_back(lit ? shaded(color, mesh.normals[i], mesh.positions[i], mapped) : color);
     }
     for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
       const auto* corners = &mesh.indices[t];
@@ -84,11 +86,13 @@ class ViewPainter {
     }
   }
 
-  // A headlight: bright where the surface faces the viewer, with a faint gloss.
-  Color shaded(Color color, const glm::dvec3& normal, const glm::dvec3& position) const {
+  // A headlight: bright where the surface faces the viewer, with a faint gloss. The colours of a map stay what they are
+  // in its legend as far as one still sees the form.
+  Color shaded(Color color, const glm::dvec3& normal, const glm::dvec3& position, bool mapped) const {
     const double facing = std::abs(glm::dot(normal, project_.to_viewer(position)));
     if (!(facing <= 1.01)) return color;
-    const double diffuse = 0.38 + 0.62 * facing, gloss = 0.22 * std::pow(facing, 24.0);
+    const double dark = mapped ? 0.66 : 0.38;
+    const double diffuse = dark + (1 - dark) * facing, gloss = mapped ? 0 : 0.22 * std::pow(facing, 24.0);
     const auto channel = [&](std::uint8_t c) {
       const double lit = c * diffuse;
       return static_cast<std::uint8_t>(std::lround(std::min(lit + (255 - lit) * gloss, 255.0)));

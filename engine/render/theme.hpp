@@ -15,6 +15,7 @@ namespace blossom {
 
 struct RoleStyle {  // lengths in page units
   Color color;      // of lines, fills and markers
+  Color face;       // of meshes: what the headlight shines on
   Color ink;        // of text in this role: contrast at least 4.5:1 on the background and on panels
   double line_width = 1;
   double dash = 0, gap = 0;                          // gap 0: solid
@@ -34,6 +35,12 @@ struct Theme {
 std::vector<std::string> theme_names();  // light, dark, contrast
 Checked<const Theme*> find_theme(std::string_view name);
 const Theme& light_theme();
+
+// The colour at t = 0..1 of a map, the same in all themes, for a legend is compared with its picture. Diverging: "vik"
+// of Crameri, "Scientific colour maps" (2018), without its ends, which are too dark to be shaded; sequential: "viridis"
+// of Smith and van der Walt (2015). Both are told apart with every common colour blindness. What is not a number is in
+// the middle.
+Color map_color(ColorMap, double t);
 
 // WCAG 2.1 contrast ratio, 1 to 21, of opaque colours: (L1 + 0.05) / (L2 + 0.05), L the relative luminance.
 double contrast_ratio(Color, Color);

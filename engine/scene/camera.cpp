@@ -19,6 +19,7 @@ Camera in_numbers(Camera camera) {
   if (!finite(camera.centre)) camera.centre = {};
   if (!std::isfinite(camera.azimuth)) camera.azimuth = 0;
   if (!std::isfinite(camera.elevation)) camera.elevation = 0;
+  if (!std::isfinite(camera.roll)) camera.roll = 0;
   return camera;
 }
 
@@ -41,7 +42,10 @@ ViewAxes axes_of(const Camera& camera) {
   }
   const double ca = std::cos(camera.azimuth), sa = std::sin(camera.azimuth);
   const double ce = std::cos(camera.elevation), se = std::sin(camera.elevation);
-  return {{-sa, ca, 0}, {-se * ca, -se * sa, ce}, {ce * ca, ce * sa, se}};
+  const ViewAxes upright{{-sa, ca, 0}, {-se * ca, -se * sa, ce}, {ce * ca, ce * sa, se}};
+  if (camera.roll == 0) return upright;
+  const double cr = std::cos(camera.roll), sr = std::sin(camera.roll);
+  return {cr * upright.right + sr * upright.up, cr * upright.up - sr * upright.right, upright.toward};
 }
 
 Lens::Lens(const Camera& camera, ViewSize size) : camera_(in_numbers(camera)), size_(size), axes_(axes_of(camera_)) {
@@ -110,6 +114,7 @@ Camera facing(const Camera& camera, Plane plane) {
   if (camera.kind == Camera::Kind::page) return camera;
   Camera turned = camera;
   turned.perspective = false;
+  turned.roll = 0;
   if (camera.kind == Camera::Kind::plane && plane == Plane::xy) return turned;
   turned.kind = Camera::Kind::orbit;
   turned.azimuth = plane == Plane::yz ? 0 : -pi / 2;
@@ -160,6 +165,7 @@ Camera between(const Camera& from, const Camera& to, double t) {
   made.height = a.height * std::pow(b.height / a.height, t);
   made.azimuth = wrapped(a.azimuth + t * wrapped(b.azimuth - a.azimuth));
   made.elevation = a.elevation + t * (b.elevation - a.elevation);
+  made.roll = wrapped(a.roll + t * wrapped(b.roll - a.roll));
   return made;
 }
 

@@ -44,8 +44,25 @@ enum class Role : std::uint8_t {
   right,         // a right answer
   mistake,       // a wrong one, or input that is not valid
   focus,         // outline of what has the keyboard's focus
+  object_0,      // the colours of a scene's things; never told apart by these alone: names stand beside them
+  object_1,
+  object_2,
+  object_3,
+  object_4,
+  object_5,
+  object_6,
+  object_7,
 };
-inline constexpr int role_count = 28;
+inline constexpr int role_count = 36;
+inline Role object_role(int color) { return static_cast<Role>(static_cast<int>(Role::object_0) + color); }
+
+// What numbers on a surface are shown by. Themes give the colours.
+enum class ColorMap : std::uint8_t {
+  none,
+  diverging,   // 0 one hue, 1/2 neutral, 1 the other
+  sequential,  // from dark to light
+  bands,       // stripes: 0 dark, 1 light
+};
 
 struct Polyline {
   std::vector<glm::dvec3> points;
@@ -79,6 +96,8 @@ struct Mesh {  // triangles, shaded by their normals with the light at the camer
   std::vector<std::uint32_t> indices;  // three per triangle
   Role role = Role::surface;
   double opacity = 1;
+  std::vector<float> values{};  // one per position, 0 to 1: the place in the map's colours instead of the role's colour
+  ColorMap map = ColorMap::none;
   bool operator==(const Mesh&) const = default;
 };
 
@@ -112,6 +131,7 @@ struct Camera {
   double azimuth = 0.9;     // radians
   double elevation = 0.45;  // radians
   bool perspective = false;
+  double roll = 0;  // radians, about the direction of looking: the picture turns clockwise
   bool operator==(const Camera&) const = default;
 };
 

@@ -30,7 +30,6 @@ double add_formula(Sheet& sheet, const StepSource& source, std::uint32_t step, d
   const ValueId v = source.graph->main_value(step);
   if (v == absent || source.graph->is_input(v)) return 0;
   const Algorithm& algorithm = source.algorithm_at(step);
-  double at = y + parts::heading(view, x, y, "This step");
   const auto shortened = [](std::string words) {
     const std::size_t most = 220;  // a knot vector of hundreds of knots is not for this box
     return words.size() <= most ? words : words.substr(0, most) + " ...";
@@ -45,6 +44,11 @@ double add_formula(Sheet& sheet, const StepSource& source, std::uint32_t step, d
   result.push_back({" = " + value});
   const std::size_t letters = characters(result) + 2;
   const double size = lines_of(letters, width, 14 * 1.05) > 2 ? 0.85 : 1.05;
+  constexpr double heading = 22;
+  const double rows = std::max(static_cast<double>(lines_of(letters, width, 15.7 * size)),
+                               std::ceil(parts::width_of(result, Role::text_current, size) / (0.9 * width)));
+  if (heading + 21 * size * rows > height) return 0;
+  double at = y + parts::heading(view, x, y, "This step");
   parts::text(view, x, at + 15, std::move(result), Role::text_current, size).max_width = width;
   at += 21 * size * lines_of(letters, width, 15.7 * size) + 4;
 
@@ -58,7 +62,8 @@ double add_formula(Sheet& sheet, const StepSource& source, std::uint32_t step, d
   std::string from;
   const double from_at = at;
   for (const std::string& line : lines) {
-    const double needed = 19 * lines_of(line.size(), width, 14 * 0.9);
+    const double set = std::ceil(parts::width_of(parts::ems(line), Role::text, 0.9) / (0.9 * width));
+    const double needed = 19 * std::max(static_cast<double>(lines_of(line.size(), width, 14 * 0.9)), set);
     if (at + needed > y + height) break;
     from += (from.empty() ? "" : "\n") + line;
     at += needed;

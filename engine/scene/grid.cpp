@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "base/scalar.hpp"
 #include "scene/camera.hpp"
@@ -67,25 +68,28 @@ double ground_grid_step(const Bounds& bounds) {
   return nice_step(1.3 * std::max({size.x, size.y, largest / 2}), 10);
 }
 
-void add_plane_grid(View& view) {
+void add_plane_grid(View& view, double depth) {
   const Camera& camera = view.camera;
+  const ViewAxes axes = axes_of(camera);
   const double half_h = camera.height / 2;
   const double half_w = half_h * view.width / view.height;
   const double step = plane_grid_step(camera, view.width, view.height);
   const double unit = camera.height / view.height;  // of the page, in the world
   const double edge = 0.02 * camera.height;
-  const double left = camera.centre.x - half_w, right = camera.centre.x + half_w;
-  const double bottom = camera.centre.y - half_h, top = camera.centre.y + half_h;
+  const double x0 = glm::dot(camera.centre, axes.right), y0 = glm::dot(camera.centre, axes.up);
+  const double left = x0 - half_w, right = x0 + half_w;
+  const double bottom = y0 - half_h, top = y0 + half_h;
+  const auto place = [&](double x, double y) { return x * axes.right + y * axes.up + depth * axes.toward; };
   const auto tick = [&](double value, const glm::dvec3& at) {
     view.labels.push_back(quiet_label(at, tick_text(value, step), Label::Placement::left));
   };
   for_each_multiple(step, left, right, [&](double x, bool axis) {
-    view.polylines.push_back(two_points({x, bottom, 0}, {x, top, 0}, axis ? Role::axis : Role::grid));
-    if (x + 36 * unit < right) tick(x, {x + 0.3 * edge, bottom + 0.6 * edge, 0});
+    view.polylines.push_back(two_points(place(x, bottom), place(x, top), axis ? Role::axis : Role::grid));
+    if (x + 36 * unit < right) tick(x, place(x + 0.3 * edge, bottom + 0.6 * edge));
   });
   for_each_multiple(step, bottom, top, [&](double y, bool axis) {
-    view.polylines.push_back(two_points({left, y, 0}, {right, y, 0}, axis ? Role::axis : Role::grid));
-    if (y + 16 * unit < top) tick(y, {left + 0.6 * edge, y + 0.3 * edge, 0});
+    view.polylines.push_back(two_points(place(left, y), place(right, y), axis ? Role::axis : Role::grid));
+    if (y + 16 * unit < top) tick(y, place(left + 0.6 * edge, y + 0.3 * edge));
   });
 }
 

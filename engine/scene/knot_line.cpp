@@ -1,27 +1,18 @@
 #include <algorithm>
-#include <array>
 
 #include "algorithms/typeset.hpp"
-#include "scene/panel_parts.hpp"
+#include "scene/knot_parts.hpp"
 #include "scene/panels.hpp"
 
 namespace blossom {
 namespace {
 
 using parts::Box;
+using parts::Knot;
 
 constexpr double margin = 40;                                        // left and right of the axis
 constexpr double line_at = knot_line_at, height = knot_line_height;  // of the line in the panel; of the panel
 constexpr double result_at = 63;                                     // of the second line in the panel
-constexpr std::array<double, 2> label_rows{19, 28.5};                // below the line
-constexpr double label_size = 0.72;
-constexpr double reach = 8;  // of a knot's spot around the line
-
-struct Knot {
-  std::size_t first = 0, count = 0;
-  double at = 0;
-  RichText label;
-};
 
 // The values U[i] of a curve, or U[l][i] of several: they are given at the first step.
 std::vector<ValueId> knot_values(const StepSource& source, std::size_t curve, std::size_t count) {
@@ -51,46 +42,6 @@ std::string number(const StepSource& source, ValueId v, double value) {
   return exact.empty() || exact.size() > 8 ? format_short(value, 4) : exact;
 }
 
-// Where labels stand, row by row, so that none overlaps another; the ends of the axis come first. Row -1: no room.
-struct PlacedLabel {
-  double x = 0;
-  int row = -1;
-};
-std::vector<PlacedLabel> placed(const std::vector<Knot>& knots, int rows, double left, double right) {
-  constexpr double apart = 3;
-  std::vector<PlacedLabel> labels(knots.size());
-  std::vector<double> half(knots.size());
-  for (std::size_t i = 0; i < knots.size(); ++i) {
-    half[i] = parts::width_of(knots[i].label, Role::text_quiet, label_size) / 2;
-    labels[i].x = std::clamp(knots[i].at, left + half[i], std::max(left + half[i], right - half[i]));
-  }
-  labels.front().row = 0;
-  labels.back().row = 0;
-  const double end = labels.back().x - half.back();
-  std::vector<double> taken(static_cast<std::size_t>(rows), left - apart);
-  taken[0] = labels.front().x + half.front();
-  for (std::size_t i = 1; i + 1 < knots.size(); ++i)
-    for (int row = 0; row < rows && labels[i].row < 0; ++row) {
-      auto& edge = taken[static_cast<std::size_t>(row)];
-      if (labels[i].x - half[i] < edge + apart) continue;
-      if (row == 0 && labels[i].x + half[i] + apart > end) continue;
-      labels[i].row = row;
-      edge = labels[i].x + half[i];
-    }
-  return labels;
-}
-
-// In a second row where one is not enough; and where two are not, in one row, as many as there is room for.
-void set_labels(View& view, const std::vector<Knot>& knots, double line, double left, double right, int most_rows) {
-  auto labels = placed(knots, most_rows, left, right);
-  if (std::ranges::any_of(labels, [](const PlacedLabel& label) { return label.row < 0; }))
-    labels = placed(knots, 1, left, right);
-  for (std::size_t i = 0; i < knots.size(); ++i)
-    if (labels[i].row >= 0)
-      parts::text(view, labels[i].x, line + label_rows[static_cast<std::size_t>(labels[i].row)], knots[i].label,
-                  Role::text_quiet, label_size, Label::Placement::centre);
-}
-
 // The span k, once it is known.
 std::optional<std::size_t> span_of(const StepSource& source, std::uint32_t step) {
   const TraceGraph& graph = *source.graph;
@@ -111,26 +62,6 @@ void add_ratio(View& view, const StepSource& source, std::uint32_t step, const K
   const double b = axis.place(source.scalars[from[2]]);
   parts::stroke(view, {{a, line - 6, 0}, {b, line - 6, 0}}, Role::ratio_far);
   parts::stroke(view, {{a, line - 6, 0}, {u, line - 6, 0}}, Role::ratio_near);
-}
-
-// One rectangle each, without overlaps: neighbours share the room between them, and u goes before the knot it is at.
-void add_spots(Sheet& sheet, const std::vector<Knot>& knots, const std::optional<Box>& u, double y, double line) {
-  for (std::size_t i = 0; i < knots.size(); ++i) {
-    const double at = knots[i].at;
-    const double widest = std::max(9.0, parts::width_of(knots[i].label, Role::text_quiet, label_size) / 2);
-    const double before = i > 0 ? std::min(widest, (at - knots[i - 1].at) / 2) : widest;
-    const double after = i + 1 < knots.size() ? std::min(widest, (knots[i + 1].at - at) / 2) : widest;
-    Box box{at - before, line - reach, before + after, 0};
-    if (u && box.x < u->right() && u->x < box.right()) box.y = u->bottom();
-    box.height = y + height - box.y;
-    sheet.spots.push_back({{Link::Kind::knot, static_cast<std::uint32_t>(knots[i].first)},
-                           box.x,
-                           box.y,
-                           box.width,
-                           box.height,
-                           "knot " + std::to_string(knots[i].first)});
-  }
-  if (u) sheet.spots.push_back({{Link::Kind::parameter, 0}, u->x, u->y, u->width, u->height, "u"});
 }
 
 // The texts of a list "(0, 1/2, 1)".
@@ -167,7 +98,7 @@ void add_result(Sheet& sheet, const StepSource& source, ValueId v, const Emphasi
         {{knot.at, line, 0}, lit ? Role::highlight : Role::control_point, Marker::Shape::triangle, 0.9});
     knots.push_back(std::move(knot));
   }
-  set_labels(view, knots, line, x, x + width, 1);
+  parts::set_knot_labels(view, knots, line, x, x + width, 1);
   sheet.spots.push_back(
       {{Link::Kind::value, v}, x, line - 7, width, y + knot_lines_height - line + 7, source.graph->name(v)});
 }
@@ -187,11 +118,15 @@ ValueId resulting_knots(const StepSource& source, std::uint32_t step) {
   return absent;
 }
 
-std::optional<KnotAxis> knot_axis(const StepSource& source, std::size_t curve, double x, double width) {
-  if (curve >= source.curves.size()) return std::nullopt;
-  const auto& knots = source.curves[curve].knots;
+std::optional<KnotAxis> knot_axis(const Curve<double>& curve, double x, double width) {
+  const auto& knots = curve.knots;
   if (knots.empty() || !(knots.front() < knots.back())) return std::nullopt;
   return KnotAxis{knots.front(), knots.back(), x + margin, x + width - margin};
+}
+
+std::optional<KnotAxis> knot_axis(const StepSource& source, std::size_t curve, double x, double width) {
+  if (curve >= source.curves.size()) return std::nullopt;
+  return knot_axis(source.curves[curve], x, width);
 }
 
 double add_knot_line(Sheet& sheet, const StepSource& source, std::uint32_t step, const Emphasis& emphasis, double x,
@@ -222,7 +157,7 @@ double add_knot_line(Sheet& sheet, const StepSource& source, std::uint32_t step,
     knots.push_back(std::move(knot));
   }
   const ValueId made = result ? resulting_knots(source, step) : absent;
-  set_labels(view, knots, line, x, x + width, made == absent ? 2 : 1);
+  parts::set_knot_labels(view, knots, line, x, x + width, made == absent ? 2 : 1);
   if (made != absent) add_result(sheet, source, made, emphasis, *axis, x, y, width);
   add_ratio(view, source, step, *axis, line);
 
@@ -236,9 +171,9 @@ double add_knot_line(Sheet& sheet, const StepSource& source, std::uint32_t step,
     Label& label =
         parts::text(view, middle, line - 12, std::move(words), Role::text_current, 0.85, Label::Placement::centre);
     label.priority = 10;
-    handle = Box{at - 9, y, 18, line_at + reach};
+    handle = Box{at - 9, y, 18, line_at + parts::knot_reach};
   }
-  add_spots(sheet, knots, handle, y, line);
+  parts::add_knot_spots(sheet, knots, handle, y + height, line);
   return made == absent ? height : knot_lines_height;
 }
 

@@ -136,6 +136,15 @@ std::string shortened(std::string_view text, std::size_t most) {
   return std::string(text.substr(0, front)) + "…" + std::string(text.substr(back));
 }
 
+std::string significant(double value, int digits) {
+  if (value == 0 || !std::isfinite(value)) return value == 0 ? "0" : "none";
+  const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  const int decimals = digits - 1 - magnitude;
+  if (decimals >= 0) return format_short(value, std::min(decimals, 12));
+  const double unit = std::pow(10, -decimals);
+  return format_short(std::round(value / unit) * unit, 0);
+}
+
 void fill(View& view, const Box& b, Role role, double opacity) {
   view.polygons.push_back(
       {{{b.x, b.y, 0}, {b.right(), b.y, 0}, {b.right(), b.bottom(), 0}, {b.x, b.bottom(), 0}}, role, opacity});
@@ -167,8 +176,9 @@ Label& text(View& view, double x, double y, RichText runs, Role role, double siz
   return view.labels.back();
 }
 
-double heading(View& view, double x, double y, const std::string& words) {
-  text(view, x, y + 12, {{words, TextRun::Level::base, false, true}}, Role::text_quiet, 0.85);
+double heading(View& view, double x, double y, const std::string& words, double width) {
+  const double size = size_to_fit(ems(words, true), Role::text_quiet, width, 0.85);
+  text(view, x, y + 12, {{words, TextRun::Level::base, false, true}}, Role::text_quiet, size);
   return 22;
 }
 

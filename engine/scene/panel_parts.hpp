@@ -36,12 +36,15 @@ std::vector<std::string> wrapped(std::string_view text, double most_ems, bool bo
 // The beginning and the end of a text of at most so many characters.
 std::string shortened(std::string_view text, std::size_t most);
 
+// To so many significant digits: 0.00123, 12.3, 45600.
+std::string significant(double value, int digits = 3);
+
 void fill(View&, const Box&, Role, double opacity = 1);
 void outline(View&, const Box&, Role, double width_scale = 1, bool dashed = false);
 void stroke(View&, std::vector<glm::dvec3> points, Role, double width_scale = 1, bool dashed = false);
 Label& text(View&, double x, double y, RichText, Role, double size = 1, Label::Placement = Label::Placement::left);
-// Adds the heading of a panel; its height.
-double heading(View&, double x, double y, const std::string& words);
+// Adds the heading of a panel, smaller where it would be wider than that; its height.
+double heading(View&, double x, double y, const std::string& words, double width = 1e9);
 
 // The other share of a division, in the manner of the first: 3/5 beside 2/5.
 std::string other_share(const std::string& share, double value);

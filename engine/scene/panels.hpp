@@ -54,6 +54,7 @@ struct KnotAxis {
 // Of the input curve that the panels are about: profile `curve` of several. Nothing when there is none, or its knots
 // are all one number.
 std::optional<KnotAxis> knot_axis(const StepSource&, std::size_t curve, double x, double width);
+std::optional<KnotAxis> knot_axis(const Curve<double>&, double x, double width);
 
 // The knots of an input curve as multiplicity(value) on a line, with the domain, u, its span once it is known, and what
 // a ratio measures. Spots: the knots, u. Nothing without knots (`always`: also for a Bezier curve's 0 and 1).

@@ -87,7 +87,7 @@ double add_pseudo_code(Sheet& sheet, const StepSource& source, std::uint32_t ste
   const Algorithm& algorithm = source.algorithm_at(step);
   const int current = source.line(step);
   const double margin = std::min(x, 6.0);  // the bar stands a little to the left of the text
-  double at = y + parts::heading(view, x, y, std::string(algorithm.title));
+  double at = y + parts::heading(view, x, y, std::string(algorithm.title), width);
   double longest = 1;
   for (const auto line : algorithm.pseudo_code) longest = std::max(longest, parts::ems(line, true, true));
   const double size = parts::size_to_fit(longest, Role::text, width - before_code - 4, usual_size);

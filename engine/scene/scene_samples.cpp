@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vector_relational.hpp>
 
 #include "kernel/evaluate.hpp"
 #include "kernel/tessellate.hpp"
-#include "scene/camera.hpp"
+#include "scene/fit.hpp"
 
 namespace blossom {
 namespace {
@@ -60,11 +61,6 @@ struct MeshLines {
 
 }  // namespace
 
-void Bounds::add(const glm::dvec3& p) {
-  low = glm::min(low, p);
-  high = glm::max(high, p);
-}
-
 SurfaceSamples sample_surface(const Surface<double>& surface) {
   SurfaceSamples made;
   const MeshLines u(surface.knots[0], surface.degree[0]), v(surface.knots[1], surface.degree[1]);
@@ -96,6 +92,15 @@ SurfaceSamples sample_surface(const Surface<double>& surface) {
   return made;
 }
 
+void SurfaceSamples::add(SurfaceSamples other) {
+  const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.role = other.mesh.role;
+  mesh.positions.insert(mesh.positions.end(), other.mesh.positions.begin(), other.mesh.positions.end());
+  mesh.normals.insert(mesh.normals.end(), other.mesh.normals.begin(), other.mesh.normals.end());
+  for (const std::uint32_t i : other.mesh.indices) mesh.indices.push_back(base + i);
+  for (auto& iso : other.isolines) isolines.push_back(std::move(iso));
+}
+
 SceneSamples::SceneSamples(const StepSource& source) : source_(&source) {
   const int steps = samples_for(source.curves);
   for (const auto& curve : source.curves) {
@@ -107,10 +112,15 @@ SceneSamples::SceneSamples(const StepSource& source) : source_(&source) {
     }
   }
   if (knots.size() > most_knots) knots.clear();
+  for (const auto& surface : source.surfaces)
+    for (auto& iso : sample_surface(surface).isolines) given_isolines.push_back(std::move(iso));
   if (const auto* curve = std::get_if<Curve<double>>(&source.outcome)) add_curve(*curve, samples_for({*curve}), result);
+  if (const auto* pieces = std::get_if<std::vector<Curve<double>>>(&source.outcome))
+    for (const auto& curve : *pieces) add_curve(curve, samples_for(*pieces), result);
+  find_drawables();
+  find_places();
   for_each_place([&](const glm::dvec3& at) { bounds.add(at); });
   if (bounds.empty()) bounds.add({0, 0, 0});
-  find_drawables();
 }
 
 void SceneSamples::add_curve(const Curve<double>& curve, int steps, std::vector<std::vector<glm::dvec3>>& pieces) {
@@ -124,20 +134,37 @@ void SceneSamples::add_curve(const Curve<double>& curve, int steps, std::vector<
   }
 }
 
+// Of several surfaces, all together.
 const SurfaceSamples& SceneSamples::surface() const {
-  if (!surface_) {
-    const auto* surface = std::get_if<Surface<double>>(&source_->outcome);
-    surface_ = std::make_unique<SurfaceSamples>(surface != nullptr ? sample_surface(*surface) : SurfaceSamples{});
-  }
+  if (surface_) return *surface_;
+  surface_ = std::make_unique<SurfaceSamples>();
+  if (const auto* surface = std::get_if<Surface<double>>(&source_->outcome)) *surface_ = sample_surface(*surface);
+  if (const auto* pieces = std::get_if<std::vector<Surface<double>>>(&source_->outcome))
+    for (const auto& surface : *pieces) surface_->add(sample_surface(surface));
   return *surface_;
+}
+
+// What is drawn; other points only where they lie near, for those on the way to a solution may be anywhere.
+void SceneSamples::find_places() {
+  Bounds drawn;
+  for (const Drawable& d : drawables) drawn.add(*source_->points[d.value]);
+  for (const auto* pieces : {&curves, &result, &given_isolines})
+    for (const auto& piece : *pieces)
+      for (const auto& at : piece) drawn.add(at);
+  const glm::dvec3 reach(0.5 * drawn.diagonal());
+  for (const auto& at : source_->points) {
+    if (!at) continue;
+    const bool near = glm::all(glm::greaterThanEqual(*at, drawn.low - reach)) &&
+                      glm::all(glm::lessThanEqual(*at, drawn.high + reach));
+    if (near || drawn.empty()) places_.push_back(*at);
+  }
 }
 
 // A surface lies in the hull of its control points, which are values; a curve with a weight of 0 may not.
 template <class Body>
 void SceneSamples::for_each_place(const Body& body) const {
-  for (const auto& at : source_->points)
-    if (at) body(*at);
-  for (const auto* pieces : {&curves, &result})
+  for (const auto& at : places_) body(at);
+  for (const auto* pieces : {&curves, &result, &given_isolines})
     for (const auto& piece : *pieces)
       for (const auto& at : piece) body(at);
 }
@@ -212,38 +239,8 @@ Camera SceneSamples::fitted(double width, double height, const std::optional<Cam
   return fit_->camera;
 }
 
-// With a margin for labels.
-Camera SceneSamples::fitted_anew(double width, double height, Camera camera) const {
-  constexpr double margin = 1.18;
-  if (camera.kind == Camera::Kind::page) return camera;
-  camera.centre = (bounds.low + bounds.high) * 0.5;
-  if (camera.kind == Camera::Kind::plane) {
-    const glm::dvec3 size = bounds.high - bounds.low;
-    camera.height = std::max({size.y, size.x * height / width, 1e-9}) * margin;
-    return camera;
-  }
-  const ViewAxes axes = axes_of(camera);
-  glm::dvec2 low{1e300}, high{-1e300};
-  const auto see = [&](const glm::dvec3& at) {
-    const glm::dvec2 seen{glm::dot(at - camera.centre, axes.right), glm::dot(at - camera.centre, axes.up)};
-    low = glm::min(low, seen);
-    high = glm::max(high, seen);
-  };
-  for_each_place(see);
-  if (!(low.x <= high.x)) see(bounds.low);
-  camera.centre += 0.5 * (low.x + high.x) * axes.right + 0.5 * (low.y + high.y) * axes.up;
-  camera.height = std::max({high.y - low.y, (high.x - low.x) * height / width, 1e-9}) * margin;
-  if (!camera.perspective) return camera;
-  // A point (x, y, z) of the view is seen at y e / (e - z), where the eye's distance e = height / (2 tangent); that
-  // this is within height / (2 margin) is linear in the height.
-  double needed = 1e-9;
-  for_each_place([&](const glm::dvec3& at) {
-    const glm::dvec3 d = at - camera.centre;
-    const double x = std::abs(glm::dot(d, axes.right)) * height / width, y = std::abs(glm::dot(d, axes.up));
-    needed = std::max(needed, 2 * (margin * std::max(x, y) + half_angle_tangent * glm::dot(d, axes.toward)));
-  });
-  camera.height = needed;
-  return camera;
+Camera SceneSamples::fitted_anew(double width, double height, const Camera& camera) const {
+  return fitted_camera(camera, width, height, bounds, [&](const auto& body) { for_each_place(body); });
 }
 
 }  // namespace blossom

@@ -5,15 +5,10 @@
 #include <memory>
 
 #include "scene/display_list.hpp"
+#include "scene/fit.hpp"
 #include "scene/source.hpp"
 
 namespace blossom {
-
-struct Bounds {
-  glm::dvec3 low{1e300}, high{-1e300};
-  void add(const glm::dvec3& p);
-  bool empty() const { return !(low.x <= high.x); }
-};
 
 // A value that is drawn while it is alive.
 struct Drawable {
@@ -28,15 +23,17 @@ struct Drawable {
 struct SurfaceSamples {
   Mesh mesh;  // empty where the surface has a pole
   std::vector<std::vector<glm::dvec3>> isolines;
+  void add(SurfaceSamples);
 };
 SurfaceSamples sample_surface(const Surface<double>&);
 
 struct SceneSamples {
-  std::vector<std::vector<glm::dvec3>> curves;  // connected pieces of the input curves
-  std::vector<glm::dvec3> knots;                // points of the input curves at their inner knots
-  std::vector<std::vector<glm::dvec3>> result;  // of a resulting curve
-  std::vector<Drawable> drawables;              // ascending
-  Bounds bounds;                                // of all points and curves
+  std::vector<std::vector<glm::dvec3>> curves;          // connected pieces of the input curves
+  std::vector<glm::dvec3> knots;                        // points of the input curves at their inner knots
+  std::vector<std::vector<glm::dvec3>> result;          // of resulting curves
+  std::vector<std::vector<glm::dvec3>> given_isolines;  // of the input surfaces
+  std::vector<Drawable> drawables;                      // ascending
+  Bounds bounds;                                        // of all points and curves
 
   explicit SceneSamples(const StepSource&);
 
@@ -48,9 +45,11 @@ struct SceneSamples {
   void for_each_place(const Body&) const;
   void add_curve(const Curve<double>&, int steps, std::vector<std::vector<glm::dvec3>>& pieces);
   void find_drawables();
-  Camera fitted_anew(double width, double height, Camera look) const;
+  void find_places();
+  Camera fitted_anew(double width, double height, const Camera& look) const;
 
   const StepSource* source_;
+  std::vector<glm::dvec3> places_;  // of values, that a camera shows
   mutable std::unique_ptr<SurfaceSamples> surface_;
   struct Fit {
     double width = 0, height = 0;

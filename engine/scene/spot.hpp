@@ -24,9 +24,12 @@ struct Link {
     knot,       // id: the index of the first of the equal knots, in the knots of the input curve
     parameter,  // the input u
     basis,      // id: i of the basis function N_{i,p}
+    object,     // id: the thing of a scene; part: 0 the thing itself, from 1 its control points
+    handle,     // id: a handle for moving (0 to 2 along x, y, z; 3 in the view), turning (4 to 6) and scaling (7)
   };
   Kind kind = Kind::none;
   std::uint32_t id = 0;
+  std::uint32_t part = 0;
   explicit operator bool() const { return kind != Kind::none; }
   bool operator==(const Link&) const = default;
 };

@@ -54,6 +54,9 @@ void ViewportBuilder::add_curves() {
       for (const auto& iso : samples_.surface().isolines) view_.polylines.push_back(line(iso, Role::isoline));
   }
   if (!options_.curves) return;
+  // A given surface is only lines, so that what is made on it is seen; where a finished one stands, it is in the way.
+  if (!surface_done_)
+    for (const auto& iso : samples_.given_isolines) view_.polylines.push_back(line(iso, Role::isoline, 0.6));
   for (const auto& piece : samples_.curves) view_.polylines.push_back(line(piece, Role::curve));
   for (const auto& at : samples_.knots) view_.markers.push_back(marker(at, Role::curve, 0.8, Marker::Shape::square));
 }

@@ -6,21 +6,9 @@
 
 #include "scene/scene_samples.hpp"
 #include "scene/step_scene.hpp"
+#include "scene/strokes.hpp"
 
 namespace blossom {
-
-inline Polyline line(std::vector<glm::dvec3> points, Role role, double width = 1, bool dashed = false) {
-  Polyline made;
-  made.points = std::move(points);
-  made.role = role;
-  made.width_scale = width;
-  made.dashed = dashed;
-  return made;
-}
-
-inline Marker marker(const glm::dvec3& at, Role role, double size = 1, Marker::Shape shape = Marker::Shape::disc) {
-  return {at, role, shape, size};
-}
 
 // What the current step does to two points: A and B are divided at M, where the share a of the segment lies before it.
 // The shares of the formula are a and 1 - a, too, but for a rational curve, whose weights move M.

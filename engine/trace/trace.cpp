@@ -161,19 +161,24 @@ std::vector<PolarLabel<S>> Trace<S>::polar_labels() const {
   for (ValueId v = 0; v < value_count(); ++v) {
     if (is_input(v) || values_[v].rule->polar == Polar::none || !labels[v].empty()) continue;
     const auto from = operands(v);
-    auto& label = labels[v].u;
     if (values_[v].rule->polar == Polar::same) {
       labels[v] = labels[from[0]];
       continue;
     }
-    if (values_[v].rule->polar == Polar::repeat) {
-      label = labels[from[0]].u;
+    if (values_[v].rule->polar == Polar::repeat || values_[v].rule->polar == Polar::repeat_v) {
+      labels[v] = labels[from[0]];
+      auto& label = values_[v].rule->polar == Polar::repeat ? labels[v].u : labels[v].v;
       if (!label.empty() && label.size() < max_degree) label.push_back(label.back());
       continue;
     }
-    const auto& A = labels[from[1]].u;
-    const auto& B = labels[from[2]].u;
+    // Two points of a surface are of one row or of one column: the arguments in the other direction are the same.
+    const bool along_v = labels[from[1]].v != labels[from[2]].v;
+    if (along_v && labels[from[1]].u != labels[from[2]].u) continue;
+    const auto& A = along_v ? labels[from[1]].v : labels[from[1]].u;
+    const auto& B = along_v ? labels[from[2]].v : labels[from[2]].u;
     if (A.empty() || B.empty()) continue;
+    (along_v ? labels[v].u : labels[v].v) = along_v ? labels[from[1]].u : labels[from[1]].v;
+    auto& label = along_v ? labels[v].v : labels[v].u;
     if (values_[v].rule->polar == Polar::merge) {
       std::set_union(A.begin(), A.end(), B.begin(), B.end(), std::back_inserter(label));
     } else {

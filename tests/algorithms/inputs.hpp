@@ -4,8 +4,10 @@
 // hold.
 
 #include <catch2/catch.hpp>
+#include <optional>
 #include <random>
 
+#include "algorithms/networks.hpp"
 #include "algorithms/run.hpp"
 #include "geometry/document.hpp"
 #include "kernel/splines.hpp"
@@ -46,10 +48,22 @@ inline HPoint<Exact> any_place(std::mt19937& random, int dimension) {
   return {coordinate(), coordinate(), dimension == 3 ? coordinate() : Exact(0), Exact(1)};
 }
 
+// A parameter of the surface: v in v, any other in one of the two directions.
+inline Exact any_parameter(std::mt19937& random, const Surface<Exact>& surface, std::string_view name) {
+  const std::size_t d = name == "v" || (name != "u" && random_int(random, 0, 1) == 1) ? 1 : 0;
+  Curve<Exact> line;
+  line.degree = surface.degree[d];
+  line.knots = surface.knots[d];
+  line.points.resize(static_cast<std::size_t>(d == 0 ? surface.rows : surface.columns));
+  return any_parameter(random, line);
+}
+
 inline InputValue<Exact> any_value(std::mt19937& random, const InputSpec& spec, const Curve<Exact>& curve,
                                    int dimension) {
   switch (spec.type) {
     case InputSpec::Type::number:
+      if (spec.name == "apart") return random_ratio(random, 0, 1, 8);
+      if (spec.name == "tolerance") return random_ratio(random, 0, 9, 4);
       return any_parameter(random, curve);
     case InputSpec::Type::integer:
       return random_int(random, spec.at_least, std::min(spec.at_most, spec.at_least + 2));
@@ -92,9 +106,21 @@ inline Inputs<Exact> any_inputs(const Algorithm& algorithm, unsigned seed) {
     const int dimension = random_int(random, 2, 3);
     const Curve<Exact> curve = any_curve(random, dimension);
     std::string text = "{";
-    for (const auto& spec : algorithm.inputs)
-      text += (text.size() > 1 ? ", " : "") + json_quote(spec.name) + ": " +
-              write_input(any_value(random, spec, curve, dimension));
+    std::optional<Surface<Exact>> surface;  // parameters are the surface's where there is one
+    std::optional<Network> network;         // curves that cross, where that is asked for
+    if (algorithm.input("u_curves") != nullptr) network = any_network(random, algorithm);
+    int curves = 0;
+    for (const auto& spec : algorithm.inputs) {
+      const bool parameter = spec.name == "u" || spec.name == "v" || spec.name == "t";
+      const bool another = spec.type == InputSpec::Type::curve && curves++ > 0;
+      auto crossing = network ? network_input(spec.name, *network) : std::nullopt;
+      auto value = crossing ? *crossing
+                   : surface && parameter && spec.type == InputSpec::Type::number
+                       ? InputValue<Exact>(any_parameter(random, *surface, spec.name))
+                       : any_value(random, spec, another ? any_curve(random, dimension) : curve, dimension);
+      if (const auto* drawn = std::get_if<Surface<Exact>>(&value)) surface = *drawn;
+      text += (text.size() > 1 ? ", " : "") + json_quote(spec.name) + ": " + write_input(value);
+    }
     const auto document = JsonDocument::parse("inputs", text + "}");
     Diagnostics diagnostics;
     if (!document) continue;

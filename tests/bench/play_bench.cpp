@@ -15,6 +15,7 @@
 
 #include "player/ui/ui.hpp"
 #include "render/headless_context.hpp"
+#include "studio/scene_file.hpp"
 
 namespace {
 
@@ -272,6 +273,29 @@ Document skinning(bool own_knots) {
   return taken(read_document(std::move(*JsonDocument::parse("skinning", inputs)), "skinning"));
 }
 
+// In the studio: a bicubic surface of so many points each way, with hills; its faces and its net are shown.
+Workspace hilly_scene(int count) {
+  Surface<Exact> surface = planar_surface(count, count, 3, 3, Exact(10));
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> tenths(-10, 10);
+  for (HPoint<Exact>& point : surface.points) point.z = Exact::ratio(tenths(random), 10);
+  Workspace scene;
+  scene.id = "hills";
+  scene.title = "Hills";
+  SceneObject object;
+  object.name = "hills";
+  object.geometry = std::move(surface);
+  object.shows = usual_shows(object.geometry);
+  scene.objects.push_back(std::move(object));
+  return scene;
+}
+
+std::vector<Frame> drag_in_studio(OpenPlayer& window, Workspace scene, const std::string& point) {
+  window.player().open_scene(std::move(scene));
+  for (int i = 0; i < 5; ++i) window.frame();
+  return drag(window, "view " + point);
+}
+
 void whole_window(OpenGl& gl, const std::string& name, const Document& document) {
   if (!any_wanted(name)) return;
   const auto last_step = [&] {
@@ -354,6 +378,11 @@ int main(int argc, char** argv) {
     return drag(w, "viewport P[0][3]");
   });
   measure(gl, "05-de-boor: step by step", de_boor, [](OpenPlayer& w) { return steps(w, 0, true); });
+  measure(gl, "studio: a point of a 20 x 20 surface dragged", de_boor,
+          [](OpenPlayer& w) { return drag_in_studio(w, hilly_scene(20), "hills P[10][10]"); });
+  measure(gl, "studio: the vase follows its profile", de_boor, [](OpenPlayer& w) {
+    return drag_in_studio(w, taken(load_scene(source_dir / "lessons/scenes/vase.json")), "profile P[2]");
+  });
   whole_window(gl, "equal knots", skinning(false));
   whole_window(gl, "own knots", skinning(true));
 }

@@ -35,7 +35,7 @@ def validator(kind):
     return jsonschema.Draft202012Validator(schema, resolver=resolver)
 
 
-KINDS = ("lesson", "exercise", "answers", "grade", "assignment", "result", "trace", "geometry", "algorithms")
+KINDS = ("lesson", "exercise", "answers", "grade", "assignment", "result", "trace", "geometry", "algorithms", "scene")
 validators = {kind: validator(kind) for kind in KINDS}
 
 
@@ -182,6 +182,31 @@ for path in lessons:
         (["result", "spelled_wrong"], 1),
     ])
 
+# Scenes.
+scenes = files("lessons/scenes")
+for path in scenes:
+    scene = json.loads(path.read_text())
+    must_be_valid("scene", path.name, scene)
+    must_be_invalid("scene", path.name, scene, [([key], LEFT_OUT) for key in ("schema", "objects")] + [
+        (["spelled_wrong"], 1),
+        (["schema"], "blossom.scene/2"),
+        (["id"], "Not an id"),
+        (["look"], {"from": "above"}),
+        (["objects"], {}),
+        (["objects", 0, "name"], LEFT_OUT),
+        (["objects", 0, "name"], ""),
+        (["objects", 0, "name"], " blank"),
+        (["objects", 0, "color"], 8),
+        (["objects", 0, "shows"], ["pionts"]),
+        (["objects", 0, "map"], "mein"),
+        (["objects", 0, "spelled_wrong"], 1),
+        (["objects", 0], {"name": "nothing"}),
+        (["objects", 0], {"name": "odd", "made": {"algorithm": "de_bor", "inputs": {}}}),
+        (["objects", 0], {"name": "odd", "made": {"algorithm": "de_boor"}}),
+        (["objects", 0], {"name": "odd", "made": {"algorithm": "de_boor", "inputs": {"curve": {"object": ""}}}}),
+        (["objects", 0], {"name": "odd", "made": {"algorithm": "de_boor", "inputs": {"curve": {"object": "a", "turn": 90}}}}),
+    ])
+
 # Exercises.
 exercises = files("exercises")
 for path in exercises:
@@ -320,10 +345,10 @@ must_be_invalid("geometry", "a surface", surface, [
 ])
 
 # What the schemas accept, `blossom lint` accepts too.
-linted = run(blossom, "lint", *lessons, *exercises, *good, course)
-expected = f"{len(lessons) + len(exercises) + len(good) + 1} files are in order\n"
+linted = run(blossom, "lint", *lessons, *scenes, *exercises, *good, course)
+expected = f"{len(lessons) + len(scenes) + len(exercises) + len(good) + 1} files are in order\n"
 if linted != expected:
     mistakes.append(f"blossom lint said {linted!r}")
 
-print("\n".join(mistakes) or f"{len(lessons)} lessons, {len(exercises)} exercises, {len(good)} answers: all in order")
+print("\n".join(mistakes) or f"{len(lessons)} lessons, {len(scenes)} scenes, {len(exercises)} exercises, {len(good)} answers: all in order")
 sys.exit(1 if mistakes or len(lessons) < 8 or len(exercises) < 12 else 0)

@@ -11,6 +11,7 @@ build=$(dirname "$(dirname "$program")")
 seeds=("$here/corpus/$name")
 case $name in
   lessons) seeds+=(lessons) ;;
+  scenes) seeds+=(lessons/scenes) ;;
   exercises) seeds+=(exercises) ;;
   answers) seeds+=(exercises/demo-class) ;;
 esac

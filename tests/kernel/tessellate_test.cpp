@@ -94,6 +94,86 @@ TEST_CASE("a grid has the points and normals that single evaluation gives", "[te
   }
 }
 
+TEST_CASE("a vertex has the same bits whatever vertices are computed beside it", "[tessellate]") {
+  std::mt19937 random(7);
+  const auto surface = rounded(random_surface(random, 3, 3, 3, true, true));
+  const double begin = surface.knots[1].front(), length = surface.knots[1].back() - begin;
+  const std::vector<double> u{surface.knots[0].front(), surface.knots[0].back()};
+  std::vector<double> v;
+  SurfaceGrid grid, alone;
+  for (int columns = 1; columns <= 9; ++columns) {
+    INFO(columns << " columns");
+    v.push_back(begin + length * columns / 10);
+    evaluate_grid(surface, u, v, true, grid);
+    for (int b = 0; b < columns; ++b) {
+      evaluate_grid(surface, u, std::vector{v[b]}, true, alone);
+      for (int a = 0; a < 2; ++a) {
+        CHECK(grid.points[a * columns + b] == alone.points[a]);
+        CHECK(grid.normals[a * columns + b] == alone.normals[a]);
+      }
+    }
+  }
+}
+
+TEST_CASE("after control points moved, an updated grid is the grid evaluated anew", "[tessellate]") {
+  SurfaceGrid grid, anew;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    INFO("seed " << seed);
+    std::mt19937 random(seed);
+    const int p = random_int(random, 1, 4), q = random_int(random, 1, 4);
+    auto surface = rounded(random_surface(random, p, q, 5, seed % 2 == 0, seed % 3 == 0));
+    std::vector<double> u, v;
+    span_parameters(surface.knots[0], p, 3, u);
+    span_parameters(surface.knots[1], q, 4, v);
+    if (seed % 5 == 0) std::shuffle(v.begin(), v.end(), random);
+    const bool with_normals = seed % 4 != 0;
+    evaluate_grid(surface, u, v, with_normals, grid);
+    for (int k = 0; k < 4; ++k) {
+      const int i = random_int(random, 0, surface.rows - 1), j = random_int(random, 0, surface.columns - 1);
+      const int last_i = random_int(random, i, surface.rows - 1);
+      const bool one = k % 2 == 0;
+      for (int r = i; r <= (one ? i : last_i); ++r) {
+        const auto moved = rounded(random_point(random, surface.rational));
+        surface.at(r, j) = surface.rational && k == 2 ? HPoint<double>(1, 2, 3, 0) : moved;
+      }
+      const auto before = grid;
+      const auto update = one ? update_grid(surface, grid, i, j) : update_grid(surface, grid, {i, last_i}, {j, j});
+      evaluate_grid(surface, u, v, with_normals, anew);
+      CHECK(grid.points == anew.points);
+      CHECK(grid.normals == anew.normals);
+      CHECK(grid.undefined == anew.undefined);
+      REQUIRE_FALSE(update.empty());
+      if (seed % 5 == 0) continue;
+      // Nothing outside of the block has moved, and nothing in it is outside of the support.
+      for (int vertex = 0; vertex < grid.rows * grid.columns; ++vertex) {
+        const int a = vertex / grid.columns, b = vertex % grid.columns;
+        const bool inside = update.first_a <= a && a <= update.last_a && update.first_b <= b && b <= update.last_b;
+        if (!inside) CHECK(grid.points[vertex] == before.points[vertex]);
+        if (inside && one) {
+          CHECK((surface.knots[0][i] <= u[a] && u[a] <= surface.knots[0][i + p + 1]));
+          CHECK((surface.knots[1][j] <= v[b] && v[b] <= surface.knots[1][j + q + 1]));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a control point that comes from infinity takes its vertices off the list of undefined ones",
+          "[tessellate]") {
+  Surface<double> surface{{1, 1}, {bezier_knots<double>(1), bezier_knots<double>(1)}, 2, 2, {}, true, true};
+  surface.points = {{0, 0, 0, 1}, {1, 0, 0, 0}, {0, 1, 0, 1}, {1, 1, 1, 0}};
+  const std::vector<double> ends{0, 0.5, 1};
+  SurfaceGrid grid;
+  evaluate_grid(surface, ends, ends, true, grid);
+  CHECK(grid.undefined == std::vector<int>{2, 5, 8});
+  surface.at(0, 1).w = 1;
+  update_grid(surface, grid, 0, 1);
+  CHECK(grid.undefined == std::vector<int>{8});
+  surface.at(0, 1).w = 0;
+  update_grid(surface, grid, 0, 1);
+  CHECK(grid.undefined == std::vector<int>{2, 5, 8});
+}
+
 TEST_CASE("a grid has limit normals on a collapsed edge", "[tessellate]") {
   // A cone with its apex at v = 1: straight lines from the parabola (u, u^2, 0) to (0, 0, 1).
   Surface<double> cone{{2, 1}, {bezier_knots<double>(2), bezier_knots<double>(1)}, 3, 2, {}, false, true};

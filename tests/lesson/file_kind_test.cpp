@@ -22,6 +22,7 @@ TEST_CASE("a file says what it is") {
   CHECK(kind_of(R"({"schema": "blossom.grade/1"})") == FileKind::grade);
   CHECK(kind_of(R"({"schema": "blossom.result/1"})") == FileKind::result);
   CHECK(kind_of(R"({"schema": "blossom.trace/1", "beats": []})") == FileKind::trace);
+  CHECK(kind_of(R"({"schema": "blossom.scene/1"})") == FileKind::scene);
   CHECK(kind_of(R"({"schema": "blossom.lesson/7"})") == FileKind::lesson);  // its reader knows which version it reads
   CHECK(kind_of(R"({"schema": "blossom.curve/1"})") == FileKind::unknown);
 }
@@ -34,6 +35,7 @@ TEST_CASE("a file that does not say what it is, or says it wrong, is known by it
   CHECK(kind_of(R"({"answers": {}})") == FileKind::answers);
   CHECK(kind_of(R"({"parts": []})") == FileKind::grade);
   CHECK(kind_of(R"({"steps": [], "values": []})") == FileKind::trace);
+  CHECK(kind_of(R"({"objects": []})") == FileKind::scene);
   CHECK(kind_of(R"({"degree": 2, "points": []})") == FileKind::curve);
   CHECK(kind_of(R"({"points": []})") == FileKind::curve);
   CHECK(kind_of(R"({"degree": [2, 2], "points": []})") == FileKind::surface);

@@ -21,6 +21,7 @@ class RandomEdits {
 
   RandomEdit next(const Algorithm& algorithm, const Inputs<Exact>& inputs) {
     const auto curves = curves_of(inputs);
+    if (curves.empty()) return other_input(algorithm, inputs);
     const CurveAddress at = curves[index(curves.size())];
     const Curve<Exact>& curve = curve_at(inputs, at);
     const std::size_t point = index(curve.points.size()), knot = index(curve.knots.size());
@@ -80,6 +81,7 @@ class RandomEdits {
       return {what, set_integer(algorithm, inputs, spec.name, whole(spec.at_least - 1, spec.at_least + 3))};
     if (spec.type == InputSpec::Type::choice)
       return {what, set_choice(algorithm, inputs, spec.name, spec.choices[index(spec.choices.size())])};
+    if (spec.type != InputSpec::Type::number) return {what, Edited(inputs)};  // edited in the studio
     return {what, set_number(algorithm, inputs, spec.name, Exact::ratio(whole(-2, 14), 4))};
   }
 

@@ -145,6 +145,49 @@ TEST_CASE("Right, mistake, highlight and focus are told apart by every eye, and 
   }
 }
 
+TEST_CASE("The things of a scene are seen on the background, and their colours differ for normal sight") {
+  for (const auto& name : theme_names()) {
+    const Theme& theme = **find_theme(name);
+    for (int i = 0; i < 8; ++i) {
+      INFO(name << ", object " << i);
+      CHECK(contrast_ratio(theme[object_role(i)].color, theme.background) >= 2.5);
+      for (int j = 0; j < i; ++j) {
+        INFO("and " << j);
+        CHECK(distance(theme[object_role(i)].color, theme[object_role(j)].color, normal_sight) > 18);
+      }
+    }
+  }
+}
+
+TEST_CASE("The colours of maps are read by every eye") {
+  for (const auto& [name, sight] : {std::pair{"normal", normal_sight}, std::pair{"protanopia", protanopia},
+                                    std::pair{"deuteranopia", deuteranopia}, std::pair{"tritanopia", tritanopia}}) {
+    INFO(name);
+    // One sign is not taken for the other, nor for zero, from a fifth of the range on.
+    for (const double share : {0.2, 0.5, 1.0}) {
+      const Color less = map_color(ColorMap::diverging, 0.5 - share / 2),
+                  more = map_color(ColorMap::diverging, 0.5 + share / 2);
+      CHECK(distance(less, more, sight) > 12);
+      CHECK(distance(less, map_color(ColorMap::diverging, 0.5), sight) > 8);
+      CHECK(distance(more, map_color(ColorMap::diverging, 0.5), sight) > 8);
+    }
+    // Lightness tells the order.
+    for (int i = 1; i <= 20; ++i) {
+      CHECK(lab(map_color(ColorMap::sequential, i / 20.0), sight)[0] >
+            lab(map_color(ColorMap::sequential, (i - 1) / 20.0), sight)[0]);
+      if (i <= 10) {
+        CHECK(lab(map_color(ColorMap::diverging, i / 20.0), sight)[0] >
+              lab(map_color(ColorMap::diverging, (i - 1) / 20.0), sight)[0]);
+        CHECK(lab(map_color(ColorMap::diverging, 1 - i / 20.0), sight)[0] >
+              lab(map_color(ColorMap::diverging, 1 - (i - 1) / 20.0), sight)[0]);
+      }
+    }
+  }
+  CHECK(contrast_ratio(map_color(ColorMap::bands, 0), map_color(ColorMap::bands, 1)) > 7);
+  CHECK(map_color(ColorMap::diverging, std::nan("")) == map_color(ColorMap::diverging, 0.5));
+  CHECK(map_color(ColorMap::sequential, -3) == map_color(ColorMap::sequential, 0));
+}
+
 TEST_CASE("Themes are found by name; an unknown one names those there are") {
   CHECK(theme_names() == std::vector<std::string>{"light", "dark", "contrast"});
   for (const auto& name : theme_names()) CHECK((*find_theme(name))->name == name);

@@ -146,11 +146,12 @@ TEST_CASE("The knot line marks each knot once, with its multiplicity") {
     const View& view = sheet.view;
     const double height = add_knot_line(sheet, lesson->source, 0, {}, 0, 0, 700);
     const auto& curves = lesson->source.curves;
-    if (curves.size() != 1 || curves[0].bezier) {
+    if (curves.empty() || curves[0].bezier) {
       CHECK(height == 0);
       CHECK(view.markers.empty());
       continue;
     }
+    if (curves.size() > 1) continue;  // the line of the first one
     ++lines;
     CHECK(height > 0);
     std::map<double, int> multiplicity;

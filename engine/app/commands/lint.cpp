@@ -1,4 +1,5 @@
-// blossom lint: every mistake of lessons, exercises, assignments, geometry and answers, each at its line and column.
+// blossom lint: every mistake of lessons, exercises, assignments, scenes, geometry and answers, each at its line and
+// column.
 
 #include <algorithm>
 #include <iostream>
@@ -12,6 +13,7 @@
 #include "lesson/catalog.hpp"
 #include "lesson/document.hpp"
 #include "lesson/file_kind.hpp"
+#include "studio/scene_file.hpp"
 
 namespace blossom {
 namespace {
@@ -110,6 +112,8 @@ Diagnostics lint(const JsonDocument& document) {
     case FileKind::surface:
       read_surface(root);
       break;
+    case FileKind::scene:
+      return read_scene(document).diagnostics;
     case FileKind::answers:
       check_answers(root);
       break;
@@ -124,7 +128,8 @@ Diagnostics lint(const JsonDocument& document) {
     case FileKind::unknown:
       root.error(
           "is no file of Blossom's: \"schema\" must be \"blossom.lesson/1\", \"blossom.exercise/1\", "
-          "\"blossom.assignment/1\", \"blossom.answers/1\" or \"blossom.trace/1\"; a curve or surface has \"degree\" "
+          "\"blossom.assignment/1\", \"blossom.answers/1\", \"blossom.scene/1\" or \"blossom.trace/1\"; a curve or "
+          "surface has \"degree\" "
           "and \"points\"");
       break;
   }
@@ -151,7 +156,7 @@ int run(const std::vector<std::string>& given) {
 
 void set_up(CLI::App& app, int& status) {
   auto files = std::make_shared<std::vector<std::string>>();
-  app.add_option("FILES", *files, "Files, or folders of them; by default `lessons` and `exercises`");
+  app.add_option("FILES", *files, "Files, or folders of them; by default `lessons`, `exercises` and `lessons/scenes`");
   app.footer(
       "Names every mistake at once, as file:line:column: path: what is wrong, and what would be right.\n"
       "Examples:\n"
@@ -159,7 +164,12 @@ void set_up(CLI::App& app, int& status) {
       "  blossom lint my-lesson.json exercises\n"
       "Exit status: 0 all in order, 1 mistakes, 2 wrong usage.");
   app.callback([files, &status] {
-    if (files->empty()) *files = {find_folder("lessons").string(), find_folder("exercises").string()};
+    if (files->empty()) {
+      const fs::path lessons = find_folder("lessons");
+      *files = {lessons.string(), find_folder("exercises").string()};
+      std::error_code error;
+      if (fs::is_directory(lessons / "scenes", error)) files->push_back((lessons / "scenes").string());
+    }
     status = run(*files);
   });
 }
@@ -167,8 +177,8 @@ void set_up(CLI::App& app, int& status) {
 }  // namespace
 
 const Command& command_lint() {
-  static const Command command{"lint", "Check lessons, exercises, assignments, geometry, answers and traces", 40,
-                               set_up};
+  static const Command command{"lint", "Check lessons, exercises, assignments, scenes, geometry, answers and traces",
+                               40, set_up};
   return command;
 }
 

@@ -5,7 +5,9 @@
 #include <sstream>
 
 #include "app/input.hpp"
+#include "lesson/file_kind.hpp"
 #include "player/window/window.hpp"
+#include "studio/scene_file.hpp"
 
 namespace blossom {
 namespace {
@@ -53,13 +55,18 @@ int run(const Options& options) {
     if (!file) return file.diagnostics;
     return open_document(*file, options.algorithm);
   };
-  if (!options.file.empty() || !options.algorithm.empty()) {
+  std::optional<fs::path> scene;
+  if (const auto json = JsonDocument::load(options.file); json && file_kind(json->root()) == FileKind::scene) {
+    if (const auto read = read_scene(*json); !read) return report(read.diagnostics);
+    scene = fs::absolute(options.file);
+  } else if (!options.file.empty() || !options.algorithm.empty()) {
     auto read = opened();
     if (!read) return report(read.diagnostics);
     document = std::make_shared<Document>(std::move(*read));
   }
-  const Start start = [document](Player& p) {
+  const Start start = [document, scene](Player& p) {
     if (document) p.open(std::move(*document));
+    if (scene) p.open(*scene);
   };
 
   if (options.script.empty()) {
@@ -78,8 +85,9 @@ int run(const Options& options) {
 
 void set_up(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
-  app.add_option("FILE", options->file,
-                 "A lesson (a file, or the name or number of one in lessons/), an exercise, a trace, or inputs");
+  app.add_option(
+      "FILE", options->file,
+      "A lesson (a file, or the name or number of one in lessons/), an exercise, a scene, a trace, or inputs");
   app.add_option("--algorithm", options->algorithm,
                  "For a file of inputs: the algorithm. Alone: this algorithm with the inputs of a lesson about it");
   auto* script = app.add_option("--headless-script", options->script,
@@ -93,6 +101,7 @@ void set_up(CLI::App& app, int& status) {
       "  blossom play 05-de-boor\n"
       "  blossom play --algorithm knot_insertion\n"
       "  blossom play exercises/05-de-boor.json\n"
+      "  blossom play lessons/scenes/vase.json\n"
       "  blossom play 05 --headless-script tour.txt --out pictures");
   app.callback([options, &status] { status = run(*options); });
 }

@@ -1,4 +1,4 @@
-// blossom render: the steps of an algorithm as pictures.
+// blossom render: the steps of an algorithm as pictures, or a scene of the studio as one.
 
 #include <unistd.h>
 
@@ -7,8 +7,11 @@
 #include <iostream>
 
 #include "app/input.hpp"
+#include "lesson/file_kind.hpp"
 #include "render/picture.hpp"
 #include "scene/step_scene.hpp"
+#include "scene/workspace_view.hpp"
+#include "studio/scene_file.hpp"
 
 namespace blossom {
 namespace {
@@ -160,6 +163,52 @@ int draw(const Subject& subject, const Options& options, PageOptions page, const
   return done;
 }
 
+// The scene of a file, if that is what the option names.
+bool names_scene(const std::string& given) {
+  std::error_code error;
+  if (given.empty() || !fs::is_regular_file(given, error)) return false;
+  const auto document = JsonDocument::load(given);
+  return document && file_kind(document->root()) == FileKind::scene;
+}
+
+// One picture: into the file --out if it is called .png or .svg, or else into that folder.
+int draw_scene(const Options& options, const PageOptions& page, const Theme& theme) {
+  const auto workspace = load_scene(options.subject.lesson);
+  if (!workspace) return report(workspace.diagnostics);
+  const std::string extension = fs::path(options.out).extension().string();
+  const bool named = extension == ".png" || extension == ".svg";
+  const bool svg = named ? extension == ".svg" : options.svg;
+  fs::path file = options.out;
+  if (!named) {
+    std::error_code error;
+    fs::create_directories(file, error);
+    file /= (workspace->id.empty() ? fs::path(options.subject.lesson).stem().string() : workspace->id) +
+            (svg ? ".svg" : ".png");
+  }
+  WorkspaceLook look;
+  if (workspace->objects.size() == 1) look.current = 0;
+  const Scene scene = WorkspaceScenes().page(*workspace, look, page.width, page.height);
+  Checked<bool> saved = true;
+  if (svg) {
+    const auto text = draw_svg(scene, theme);
+    if (!text) return report(text.diagnostics);
+    saved = write_file(file, *text);
+  } else {
+    const auto image = draw_image(scene, theme, options.scale, options.context);
+    if (!image) {
+      report(image.diagnostics);
+      return machine_at_fault;
+    }
+    saved = write_png(file, *image, scene.title, scene.description);
+  }
+  if (!saved) {
+    report(saved.diagnostics);
+    return machine_at_fault;
+  }
+  std::cout << printable(file.string()) << "\n";
+  return done;
+}
+
 int run(const Options& options) {
   PageOptions page;
   Diagnostics mistakes;
@@ -181,6 +230,7 @@ int run(const Options& options) {
     report(mistakes);
     return wrong_usage;
   }
+  if (names_scene(options.subject.lesson)) return draw_scene(options, page, **theme);
   const auto subject = load_subject(options.subject);
   if (!subject) return report(subject.diagnostics);
   return options.exact ? draw<Exact>(*subject, options, page, **theme) : draw<double>(*subject, options, page, **theme);
@@ -195,7 +245,8 @@ void set_up(CLI::App& app, int& status) {
   app.add_option("--contact-sheet", options->contact_sheet, "All steps small in one PNG file");
   app.add_flag("--svg", options->svg, "SVG files instead of PNG");
   app.add_flag("--exact", options->exact, "Compute and label in exact fractions");
-  app.add_option("--out", options->out, "The folder for the pictures")->capture_default_str();
+  app.add_option("--out", options->out, "The folder for the pictures; of a scene also a file, .png or .svg")
+      ->capture_default_str();
   app.add_option("--size", options->size,
                  "Width and height of the page, from 480x360; times --scale at most 64 million pixels")
       ->capture_default_str();
@@ -211,6 +262,7 @@ void set_up(CLI::App& app, int& status) {
       "  blossom render 05-de-boor --step 6 --exact\n"
       "  blossom render 05-de-boor --all --out pictures --theme dark\n"
       "  blossom render 05-de-boor --contact-sheet sheet.png\n"
+      "  blossom render vase.json --out vase.svg     (a scene of the studio)\n"
       "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine.");
   app.callback([options, &status] { status = run(*options); });
 }
@@ -218,7 +270,8 @@ void set_up(CLI::App& app, int& status) {
 }  // namespace
 
 const Command& command_render() {
-  static const Command command{"render", "Draw the steps of an algorithm: PNG, SVG, a contact sheet", 30, set_up};
+  static const Command command{"render", "Draw the steps of an algorithm, or a scene: PNG, SVG, a contact sheet", 30,
+                               set_up};
   return command;
 }
 

@@ -15,6 +15,17 @@ std::string in_words(const Player& p, const std::string& what) {
   return unicode_text(typeset_text(what, p.session()->algorithm()));
 }
 
+void undo_in_studio(Player& p) {
+  Studio& studio = *p.studio();
+  if (!studio.clicked().empty())
+    studio.take_back_click();
+  else if (studio.undo())
+    p.notice("Undone: " + studio.history().redo_what());
+}
+void redo_in_studio(Player& p) {
+  if (p.studio()->redo()) p.notice("Done again: " + p.studio()->history().undo_what());
+}
+
 bool has_point(const Player& p) { return p.chosen_point().has_value(); }
 bool has_spatial_point(const Player& p) { return has_point(p) && p.session()->recording().source().spatial(); }
 
@@ -28,28 +39,38 @@ const ActionGroup& actions_edit() {
                                       "Undo",
                                       {"Ctrl+Z"},
                                       [](Player& p) {
-                                        if (predicts(p))
+                                        if (p.in_studio())
+                                          undo_in_studio(p);
+                                        else if (predicts(p))
                                           p.take_back_answer();
                                         else if (p.session()->undo())
                                           p.notice("Undone: " + in_words(p, p.session()->history().redo_what()));
                                       },
                                       [](const Player& p) {
+                                        if (p.in_studio()) return p.studio()->can_undo();
                                         return predicts(p) ? p.session()->prediction()->can_undo()
                                                            : is_open(p) && p.session()->history().can_undo();
-                                      }},
+                                      },
+                                      nullptr,
+                                      Where::both},
                                      {"edit.redo",
                                       "Redo",
                                       {"Ctrl+Y", "Ctrl+Shift+Z"},
                                       [](Player& p) {
-                                        if (predicts(p))
+                                        if (p.in_studio())
+                                          redo_in_studio(p);
+                                        else if (predicts(p))
                                           p.put_back_answer();
                                         else if (p.session()->redo())
                                           p.notice("Done again: " + in_words(p, p.session()->history().undo_what()));
                                       },
                                       [](const Player& p) {
+                                        if (p.in_studio()) return p.studio()->history().can_redo();
                                         return predicts(p) ? p.session()->prediction()->can_redo()
                                                            : is_open(p) && p.session()->history().can_redo();
-                                      }},
+                                      },
+                                      nullptr,
+                                      Where::both},
                                      {"edit.revert",
                                       "Take back all edits",
                                       {},
@@ -112,7 +133,8 @@ const ActionGroup& actions_edit() {
                                       {"S"},
                                       [](Player& p) { p.settings.snap = !p.settings.snap; },
                                       nullptr,
-                                      [](const Player& p) { return p.settings.snap; }},
+                                      [](const Player& p) { return p.settings.snap; },
+                                      Where::both},
                                  }};
   return group;
 }

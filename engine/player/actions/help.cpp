@@ -41,8 +41,20 @@ const ActionGroup& actions_help() {
           {"help.phases", "Show the phases", {"Ctrl+3"}, [](Player& p) { show(p, "phases"); }, is_open},
           {"help.why_panel", "Show the reasons", {"Ctrl+4"}, [](Player& p) { show(p, "why"); }, is_open},
           {"help.predict_panel", "Show the predictions", {"Ctrl+5"}, [](Player& p) { show(p, "predict"); }, is_open},
-          {"help.palette", "All commands ...", {"Ctrl+P", "/"}, [](Player& p) { p.dialog = Dialog::palette; }},
-          {"help.shortcuts", "Keyboard shortcuts", {"?", "F1"}, [](Player& p) { p.dialog = Dialog::shortcuts; }},
+          {"help.palette",
+           "All commands ...",
+           {"Ctrl+P", "/"},
+           [](Player& p) { p.dialog = Dialog::palette; },
+           nullptr,
+           nullptr,
+           Where::both},
+          {"help.shortcuts",
+           "Keyboard shortcuts",
+           {"?", "F1"},
+           [](Player& p) { p.dialog = Dialog::shortcuts; },
+           nullptr,
+           nullptr,
+           Where::both},
       }};
   return group;
 }

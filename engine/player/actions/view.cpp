@@ -8,6 +8,7 @@ namespace blossom {
 namespace {
 
 bool is_open(const Player& p) { return p.session() != nullptr; }
+bool has_view(const Player& p) { return is_open(p) || p.in_studio(); }
 bool is_spatial(const Player& p) { return is_open(p) && p.session()->recording().source().spatial(); }
 
 void face(Player& p, Plane plane) {
@@ -17,8 +18,16 @@ void face(Player& p, Plane plane) {
 }
 
 void zoom(Player& p, double factor) {
+  if (p.in_studio()) return p.studio()->zoom(factor);
   const ViewSize size = p.view_size();
   p.glide_to(zoomed(p.shown_camera(), size, {size.width / 2, size.height / 2}, factor));
+}
+
+void fit(Player& p) {
+  if (p.in_studio())
+    p.studio()->fit();
+  else
+    p.glide_to(std::nullopt);
 }
 
 void scale_text(Player& p, double factor) {
@@ -43,9 +52,15 @@ const ActionGroup& actions_view() {
       "View",
       40,
       {
-          {"view.fit", "Fit all into the view", {"F"}, [](Player& p) { p.glide_to(std::nullopt); }, is_open},
-          {"view.closer", "Closer", {"Ctrl+PageUp"}, [](Player& p) { zoom(p, 1.25); }, is_open},
-          {"view.farther", "Farther", {"Ctrl+PageDown"}, [](Player& p) { zoom(p, 0.8); }, is_open},
+          {"view.fit", "Fit all into the view", {"F"}, fit, has_view, nullptr, Where::both},
+          {"view.closer", "Closer", {"Ctrl+PageUp"}, [](Player& p) { zoom(p, 1.25); }, has_view, nullptr, Where::both},
+          {"view.farther",
+           "Farther",
+           {"Ctrl+PageDown"},
+           [](Player& p) { zoom(p, 0.8); },
+           has_view,
+           nullptr,
+           Where::both},
           {"view.perspective",
            "Perspective",
            {"P"},
@@ -67,7 +82,8 @@ const ActionGroup& actions_view() {
            {"#"},
            [](Player& p) { p.settings.grid = !p.settings.grid; },
            nullptr,
-           [](const Player& p) { return p.settings.grid; }},
+           [](const Player& p) { return p.settings.grid; },
+           Where::both},
           {"view.exact",
            "Exact fractions",
            {"X"},
@@ -76,34 +92,57 @@ const ActionGroup& actions_view() {
              if (p.session() != nullptr) p.session()->set_exact(p.settings.exact);
            },
            nullptr,
-           [](const Player& p) { return p.settings.exact; }},
+           [](const Player& p) { return p.settings.exact; },
+           Where::both},
           {"view.motion",
            "Reduced motion",
            {},
            [](Player& p) { p.settings.reduced_motion = !p.settings.reduced_motion; },
            nullptr,
-           [](const Player& p) { return p.settings.reduced_motion; }},
-          {"view.larger", "Larger text", {"Ctrl++", "Ctrl+="}, [](Player& p) { scale_text(p, 2); }},
-          {"view.smaller", "Smaller text", {"Ctrl+-"}, [](Player& p) { scale_text(p, 0.5); }},
-          {"view.normal_text", "Normal text size", {"Ctrl+0"}, [](Player& p) { p.settings.text_scale = 1; }},
+           [](const Player& p) { return p.settings.reduced_motion; },
+           Where::both},
+          {"view.larger",
+           "Larger text",
+           {"Ctrl++", "Ctrl+="},
+           [](Player& p) { scale_text(p, 2); },
+           nullptr,
+           nullptr,
+           Where::both},
+          {"view.smaller",
+           "Smaller text",
+           {"Ctrl+-"},
+           [](Player& p) { scale_text(p, 0.5); },
+           nullptr,
+           nullptr,
+           Where::both},
+          {"view.normal_text",
+           "Normal text size",
+           {"Ctrl+0"},
+           [](Player& p) { p.settings.text_scale = 1; },
+           nullptr,
+           nullptr,
+           Where::both},
           {"view.light",
            "Light theme",
            {},
            [](Player& p) { theme(p, "light"); },
            nullptr,
-           [](const Player& p) { return p.settings.theme == "light"; }},
+           [](const Player& p) { return p.settings.theme == "light"; },
+           Where::both},
           {"view.dark",
            "Dark theme",
            {},
            [](Player& p) { theme(p, "dark"); },
            nullptr,
-           [](const Player& p) { return p.settings.theme == "dark"; }},
+           [](const Player& p) { return p.settings.theme == "dark"; },
+           Where::both},
           {"view.contrast",
            "High-contrast theme",
            {},
            [](Player& p) { theme(p, "contrast"); },
            nullptr,
-           [](const Player& p) { return p.settings.theme == "contrast"; }},
+           [](const Player& p) { return p.settings.theme == "contrast"; },
+           Where::both},
           {"view.next_theme",
            "Next theme",
            {"T"},
@@ -111,8 +150,17 @@ const ActionGroup& actions_view() {
              const auto now = std::ranges::find(theme_list, p.settings.theme, &ThemeName::name);
              p.settings.theme =
                  (now == theme_list.end() || now + 1 == theme_list.end() ? theme_list.front() : now[1]).name;
-           }},
-          {"view.settings", "Settings ...", {"Ctrl+,"}, [](Player& p) { p.dialog = Dialog::settings; }},
+           },
+           nullptr,
+           nullptr,
+           Where::both},
+          {"view.settings",
+           "Settings ...",
+           {"Ctrl+,"},
+           [](Player& p) { p.dialog = Dialog::settings; },
+           nullptr,
+           nullptr,
+           Where::both},
       }};
   return group;
 }

@@ -56,6 +56,7 @@ fs::path first_folder(const Player& player) {
   std::error_code error;
   if (player.session() != nullptr && !player.session()->document().file.empty())
     return player.session()->document().file.parent_path();
+  if (player.in_studio() && !player.studio()->file().empty()) return player.studio()->file().parent_path();
   if (!player.settings.recent.empty() && fs::exists(player.settings.recent.front().parent_path(), error))
     return player.settings.recent.front().parent_path();
   return fs::current_path(error);
@@ -74,7 +75,7 @@ void enter(Browser& browser, const fs::path& folder) {
 void open_file(Ui& ui, const fs::path& file) {
   ui.send([file](Player& player) {
     player.cancel_dialog();
-    player.unless_unsaved([file](Player& p) { p.open(file); });
+    player.open_asking(file);
   });
 }
 
@@ -153,7 +154,7 @@ void system_dialog(Ui& ui, Browser& browser) {
     browser.has_system_dialog = player.desk().choose_file(false, browser.folder / "", [&player](const fs::path& file) {
       if (file.empty()) return;
       player.cancel_dialog();
-      player.unless_unsaved([file](Player& p) { p.open(file); });
+      player.open_asking(file);
     });
     if (!browser.has_system_dialog) browser.wrong = "This system has no dialog of its own.";
   });
@@ -200,7 +201,7 @@ void draw(Ui& ui) {
   if (!browser.wrong.empty())
     dialog_warning(ui, browser.wrong);
   else
-    quiet_text(ui, "A lesson, an exercise, a trace or a curve: files that end in .json.");
+    quiet_text(ui, "A lesson, an exercise, a scene, a trace, a curve or a surface: files that end in .json.");
   system_dialog(ui, browser);
   const bool pressed = dialog_buttons(ui, "Open");
   if (entered || pressed) take_typed(ui, browser, found);

@@ -22,13 +22,14 @@ bool has_letters(std::string_view text, std::string_view pattern) {
   return i == pattern.size();
 }
 
-std::vector<Found> matching(const std::string& typed) {
+std::vector<Found> matching(const Player& player, const std::string& typed) {
   std::string pattern;
   for (const char c : typed)
     if (c != ' ') pattern += c;
   std::vector<Found> found;
   for (const ActionGroup* group : ordered_action_groups())
-    for (const Action& action : group->actions) {
+    for (const Action* here : actions_here(player, *group)) {
+      const Action& action = *here;
       const std::string all = std::string(group->title) + " " + std::string(action.title);
       if (contains(action.title, typed))
         found.push_back(
@@ -58,7 +59,7 @@ void draw(Ui& ui) {
         return 0;
       },
       &moved);
-  const auto found = matching(text);
+  const auto found = matching(ui.player(), text);
   const auto count = static_cast<int>(found.size());
   if (text != before) chosen = 0;
   chosen = std::clamp(chosen + moved, 0, std::max(count - 1, 0));

@@ -41,7 +41,7 @@ void draw(Ui& ui) {
     ImGui::TextUnformatted(
         shortened(lost[i].title.empty() ? "A lesson" : printable(lost[i].title), room - buttons).c_str());
     ImGui::PopFont();
-    std::string detail = "step " + std::to_string(lost[i].step);
+    std::string detail = lost[i].step > 0 ? "step " + std::to_string(lost[i].step) : std::string("not saved");
     if (const std::string age = age_of(lost[i].file); !age.empty()) detail += ", " + age;
     if (!lost[i].origin.empty()) detail += ", of " + printable(lost[i].origin.string());
     ImGui::TextDisabled("%s", shortened(detail, room - buttons, false).c_str());

@@ -7,13 +7,19 @@ namespace {
 
 void draw(Ui& ui) {
   static Target file;
-  const Session* session = ui.player().session();
-  if (session == nullptr) return close_dialog(ui);
+  const Player& player = ui.player();
+  const Session* session = player.session();
+  if (session == nullptr && !player.in_studio()) return close_dialog(ui);
   if (!begin_dialog(ui, "Save the picture", 520)) return;
-  if (dialog_opens())
-    file = {folder_to_save(ui.player()), session->document().id() + "-" + std::to_string(session->step()) + ".png", {}};
-  quiet_text(ui, "The page of step " + std::to_string(session->step()) +
-                     ": the picture with the scheme, the code and what is said of it.");
+  if (dialog_opens()) {
+    const std::string name =
+        session != nullptr ? session->document().id() + "-" + std::to_string(session->step())
+                           : (player.studio()->file().empty() ? "scene" : player.studio()->file().stem().string());
+    file = {folder_to_save(player), name + ".png", {}};
+  }
+  quiet_text(ui, session != nullptr ? "The page of step " + std::to_string(session->step()) +
+                                          ": the picture with the scheme, the code and what is said of it."
+                                    : "The scene as it is looked at now, with its title and its legend.");
   ImGui::Dummy({0, ui.px(2)});
   const bool entered = dialog_field(ui, "File", "dialog file", file.text, true);
   quiet_text(ui, "in " + printable(file.path().parent_path().string()));
@@ -27,9 +33,9 @@ void draw(Ui& ui) {
   kind("SVG, for print at any size", ".svg", "dialog svg");
 
   if (const auto path = ask_to_save(ui, file, file.wrong({".png", ".svg"}), entered))
-    ui.send([path = *path](Player& player) {
-      player.dialog = Dialog::none;  // what goes wrong is said in the window
-      player.save_picture(path);
+    ui.send([path = *path](Player& p) {
+      p.dialog = Dialog::none;  // what goes wrong is said in the window
+      p.save_picture(path);
     });
   end_dialog();
 }

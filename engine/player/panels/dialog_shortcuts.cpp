@@ -18,11 +18,12 @@ struct Section {
   std::vector<Line> lines;
 };
 
-std::vector<Section> all_sections() {
+std::vector<Section> all_sections(const Player& player) {
   std::vector<Section> sections;
   for (const ActionGroup* group : ordered_action_groups()) {
     Section section{std::string(group->title), {}};
-    for (const Action& action : group->actions) {
+    for (const Action* here : actions_here(player, *group)) {
+      const Action& action = *here;
       if (action.keys.empty()) continue;
       Line line{{}, std::string(action.title)};
       for (const std::string_view key : action.keys) line.keys.emplace_back(key);
@@ -37,14 +38,26 @@ std::vector<Section> all_sections() {
                        {{"F10"}, "To the menus"},
                        {{"Alt+\u2190 \u2191 \u2192 \u2193"}, "From value to value in a panel"},
                        {{"Escape"}, "Close, or let go of all"}}});
-  sections.push_back({"With the mouse",
-                      {{{"Point"}, "Light up a value everywhere"},
-                       {{"Click"}, "Pin it; click again to let go"},
-                       {{"Double-click"}, "Go to the step that makes it"},
-                       {{"Right-click"}, "Why this value? Copy it"},
-                       {{"Drag"}, "Move a control point, a knot or u"},
-                       {{"Drag beside"}, "Shift the picture, or turn it in 3D"},
-                       {{"Wheel"}, "Closer and farther"}}});
+  if (player.in_studio())
+    sections.push_back({"With the mouse",
+                        {{{"Click"}, "Choose a thing or a point; Shift: also"},
+                         {{"Drag a point"}, "Move it; Shift: along an axis"},
+                         {{"Ctrl+Drag"}, "On the grid"},
+                         {{"Drag a curve"}, "Move u, where its point is shown"},
+                         {{"Drag beside"}, "Turn the view in space, or shift it"},
+                         {{"Shift+Drag beside"}, "Choose the points in a box"},
+                         {{"Right-drag"}, "Shift the view"},
+                         {{"Right-click"}, "What can be done with it"},
+                         {{"Wheel"}, "Closer and farther"}}});
+  else
+    sections.push_back({"With the mouse",
+                        {{{"Point"}, "Light up a value everywhere"},
+                         {{"Click"}, "Pin it; click again to let go"},
+                         {{"Double-click"}, "Go to the step that makes it"},
+                         {{"Right-click"}, "Why this value? Copy it"},
+                         {{"Drag"}, "Move a control point, a knot or u"},
+                         {{"Drag beside"}, "Shift the picture, or turn it in 3D"},
+                         {{"Wheel"}, "Closer and farther"}}});
   return sections;
 }
 
@@ -110,7 +123,7 @@ void draw_section(Ui& ui, const Section& section, ImVec2 at, float width) {
 void draw(Ui& ui) {
   const double wide = std::min(ui.width() - 24, 1120.0);
   if (!begin_dialog(ui, "Keys and gestures", wide)) return;
-  const auto sections = all_sections();
+  const auto sections = all_sections(ui.player());
   const int columns = std::clamp(static_cast<int>(wide / 330), 1, 3);
   // In their order, each column filled up to its share of the whole.
   float total = 0;

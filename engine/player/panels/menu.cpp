@@ -11,7 +11,8 @@ namespace {
 // ---- menus ----------------------------------------------------------------------------------------------------------
 
 void items_of(Ui& ui, const ActionGroup& group) {
-  for (const Action& action : group.actions) {
+  for (const Action* here : actions_here(ui.player(), group)) {
+    const Action& action = *here;
     const bool enabled = action.enabled == nullptr || action.enabled(ui.player());
     const bool checked = action.checked != nullptr && action.checked(ui.player());
     const std::string title(action.title), key(action.keys.empty() ? std::string_view() : action.keys.front());
@@ -49,6 +50,7 @@ bool key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(k
 void contents_of(Ui& ui, const Entry& entry) {
   if (entry.group != nullptr) return items_of(ui, *entry.group);
   for (const ActionGroup* group : ordered_action_groups()) {
+    if (actions_here(ui.player(), *group).empty()) continue;
     const std::string title(group->title);
     const bool open = ImGui::BeginMenu(title.c_str());
     ui.thing("menu " + title);
@@ -129,8 +131,13 @@ float button_width(const char* label) { return ImGui::CalcTextSize(label).x + 2 
 
 std::vector<RightItem> right_items(const Ui& ui) {
   const float icon = ImGui::GetFrameHeight() * 1.12f, gap = ImGui::GetStyle().ItemSpacing.x;
-  const bool open = ui.player().session() != nullptr;
+  const bool lesson = ui.player().session() != nullptr, open = lesson || ui.player().in_studio();
   std::vector<RightItem> items;
+  if (ui.player().stepping_from_studio())
+    items.push_back({button_width("Back to the studio"), 10,
+                     [](Ui& u) { u.action_button("studio.back", "Back to the studio"); }});
+  if (ui.player().in_studio())
+    items.push_back({button_width("Step it"), 8, [](Ui& u) { u.action_button("studio.step", "Step it"); }});
   if (open && !ui.player().lost_work().empty())
     items.push_back(
         {button_width("Recover edits ..."), 9, [](Ui& u) { u.action_button("file.recover", "Recover edits ..."); }});
@@ -141,7 +148,7 @@ std::vector<RightItem> right_items(const Ui& ui) {
                        u.icon_button("edit.redo", "redo");
                      }});
   items.push_back({button_width("2/5") + button_width("0.4"), 4, number_switch});
-  if (open)
+  if (lesson)
     items.push_back({button_width("Predict"), 5, [](Ui& u) {
                        u.action_button("predict.toggle", "Predict");
                        if (u.player().session()->prediction() != nullptr) underline(u);
@@ -160,10 +167,11 @@ float sum(const std::vector<RightItem>& items) {
 
 // ---- all of it ------------------------------------------------------------------------------------------------------
 
-std::vector<Entry> entries_for(float room) {
+std::vector<Entry> entries_for(const Player& player, float room) {
   std::vector<Entry> entries;
   float width = 0;
   for (const ActionGroup* group : ordered_action_groups()) {
+    if (actions_here(player, *group).empty()) continue;
     const std::string title(group->title);
     entries.push_back({title, title, group});
     width += button_width(title.c_str());
@@ -174,11 +182,14 @@ std::vector<Entry> entries_for(float room) {
 
 void draw_title(Ui& ui, float from, float to) {
   const Session* session = ui.player().session();
-  if (session == nullptr || to - from < ui.px(40)) return;
-  const std::string mark = session->unsaved() ? "  \u2022 edited" : "";
+  const Studio* studio = ui.player().studio();
+  if ((session == nullptr && studio == nullptr) || to - from < ui.px(40)) return;
+  const std::string whole = session != nullptr ? session->document().title() : studio->title();
+  const bool unsaved = session != nullptr ? session->unsaved() : studio->unsaved();
+  const std::string mark = unsaved ? "  \u2022 edited" : "";
   const float mark_width = ImGui::CalcTextSize(mark.c_str()).x;
   ImGui::PushFont(ui.bold());
-  const std::string title = shortened(session->document().title(), to - from - mark_width);
+  const std::string title = shortened(whole, to - from - mark_width);
   const float width = ImGui::CalcTextSize(title.c_str()).x;
   // In the middle of the window if that is free.
   const float middle = (ImGui::GetIO().DisplaySize.x - width - mark_width) / 2;
@@ -188,7 +199,7 @@ void draw_title(Ui& ui, float from, float to) {
   ImGui::TextUnformatted(title.c_str());
   ImGui::PopFont();
   ui.thing("menu title");
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", session->document().title().c_str());
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", whole.c_str());
   if (mark.empty()) return;
   ImGui::SameLine(0, 0);
   ImGui::PushStyleColor(ImGuiCol_Text, ui.ink(Role::text_current));
@@ -203,11 +214,11 @@ void draw(Ui& ui) {
   ImGui::SetCursorPosX(ui.px(4));
   // Buttons of text as high as those with icons.
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, ui.px(5)});
-  const auto entries = entries_for(right - ui.px(44));
+  const auto entries = entries_for(ui.player(), right - ui.px(44));
   draw_menus(ui, entries);
   const float menus_end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
   // The title wants some room before what the menus have, too.
-  const float title_room = ui.player().session() != nullptr ? ui.px(110) : 0;
+  const float title_room = ui.player().session() != nullptr || ui.player().in_studio() ? ui.px(110) : 0;
   auto items = right_items(ui);
   while (!items.empty() && menus_end + title_room + sum(items) > right)
     items.erase(std::ranges::min_element(items, {}, &RightItem::worth));

@@ -209,6 +209,98 @@ void draw_section(Ui& ui, const char* title, const std::vector<Item>& items, Doc
   draw_cards(ui, by_unit(shown));
 }
 
+// ---- scenes of the studio -------------------------------------------------------------------------------------------
+
+constexpr double scene_width = 176, scene_thumbnail = 92;  // units
+
+const View& scene_thumbnail_of(const ShelfScene& scene, double width, double height) {
+  struct Kept {
+    std::shared_ptr<const Workspace> workspace;
+    double width = 0;
+    View view;
+  };
+  static std::map<fs::path, Kept> kept;
+  Kept& one = kept[scene.file];
+  if (one.workspace != scene.workspace || one.width != width) {
+    WorkspaceLook look;
+    look.grid = look.axes = look.handles = false;
+    const WorkspaceScenes scenes;
+    one = {scene.workspace, width, scenes.view(*scene.workspace, width, height, look).view};
+    one.view.width = width;
+    one.view.height = height;
+  }
+  return one.view;
+}
+
+// A picture with a title below it; without a scene: an empty sheet with a plus.
+void draw_scene_card(Ui& ui, const ShelfScene* scene, ImVec2 at, ImVec2 size) {
+  const std::string name = scene == nullptr ? "card new-scene" : "card scene " + scene->file.stem().string();
+  const std::string title = scene == nullptr ? "New scene" : printable(scene->workspace->title);
+  ImGui::SetCursorScreenPos(at);
+  if (ImGui::InvisibleButton(name.c_str(), size)) {
+    if (scene == nullptr)
+      ui.act("file.new_scene");
+    else
+      ui.send([file = scene->file](Player& player) { player.open(file); });
+  }
+  const ImVec2 high{at.x + size.x, at.y + size.y};
+  if (!ImGui::IsRectVisible(at, high)) return;
+  ui.thing(name);
+  const bool hovered = ImGui::IsItemHovered(), focused = ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
+  if (hovered && scene != nullptr && !scene->workspace->summary.empty())
+    ImGui::SetTooltip("%s", printable(scene->workspace->summary).c_str());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, high, ui.color(Role::panel), ui.px(8));
+  const float edge_gap = ui.px(6), width = size.x - 2 * edge_gap;
+  const ImVec2 inner{at.x + edge_gap, at.y + edge_gap};
+  const ImVec2 picture_high{inner.x + width, inner.y + ui.px(scene_thumbnail)};
+  list.AddRectFilled(inner, picture_high, ImGui::GetColorU32(ImGuiCol_WindowBg), ui.px(5));
+  if (scene != nullptr) {
+    ImGui::SetCursorScreenPos(inner);
+    const double wide = std::floor(ui.units(width));
+    ui.picture(scene_thumbnail_of(*scene, wide, scene_thumbnail), wide, scene_thumbnail, "");
+  } else {
+    const ImVec2 middle{(inner.x + picture_high.x) / 2, (inner.y + picture_high.y) / 2};
+    const float arm = ui.px(16);
+    list.AddLine({middle.x - arm, middle.y}, {middle.x + arm, middle.y}, ui.color(Role::current), ui.px(3));
+    list.AddLine({middle.x, middle.y - arm}, {middle.x, middle.y + arm}, ui.color(Role::current), ui.px(3));
+  }
+  draw_lines(ui.bold(), ui.ink(Role::text), {inner.x, picture_high.y + ui.px(5)}, width, 2, title);
+  const Role edge = focused ? Role::focus : (hovered ? Role::current : Role::rule_line);
+  list.AddRect(at, high, ui.color(edge), ui.px(8), 0, ui.px(focused ? 2.5 : (hovered ? 1.5 : 1)));
+}
+
+bool is_found(const ShelfScene& scene, const std::string& search) {
+  return contains(scene.workspace->title, search) || contains(scene.workspace->summary, search) ||
+         contains(scene.file.stem().string(), search);
+}
+
+// One row above the lessons, with the new one first; the others below the exercises. What is searched for is all there.
+void draw_scenes(Ui& ui, const std::vector<ShelfScene>& scenes, const std::string& search, bool above) {
+  if (above && !search.empty()) return;
+  const float room = ImGui::GetContentRegionAvail().x, between = ui.px(gap);
+  const int columns = std::max(2, static_cast<int>((room + between) / (ui.px(scene_width) + between)));
+  const float width = std::floor((room - static_cast<float>(columns - 1) * between) / static_cast<float>(columns));
+  const float height = ui.px(scene_thumbnail + 6 + 5 + 8) + 2 * line_height(ui.bold());
+  const std::size_t in_row = std::min(scenes.size(), static_cast<std::size_t>(columns - 1));
+  std::vector<const ShelfScene*> shown;
+  if (above) shown.push_back(nullptr);
+  for (std::size_t i = above || !search.empty() ? 0 : in_row; i < (above ? in_row : scenes.size()); ++i)
+    if (is_found(scenes[i], search)) shown.push_back(&scenes[i]);
+  if (shown.empty()) return;
+  large_text(ui, above ? "Studio" : search.empty() ? "More scenes of the studio" : "Scenes of the studio", 1.35);
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const auto count = static_cast<int>(shown.size());
+  for (int i = 0; i < count; ++i)
+    draw_scene_card(ui, shown[static_cast<std::size_t>(i)],
+                    {origin.x + static_cast<float>(i % columns) * (width + between),
+                     origin.y + static_cast<float>(i / columns) * (height + between)},
+                    {width, height});
+  const int rows = (count + columns - 1) / columns;
+  ImGui::SetCursorScreenPos(origin);
+  ImGui::Dummy({room, static_cast<float>(rows) * (height + between)});
+}
+
 // ---- above the cards ------------------------------------------------------------------------------------------------
 
 void draw_lost_work(Ui& ui) {
@@ -243,11 +335,15 @@ void draw_recent(Ui& ui, const std::vector<Item>& items) {
   };
   std::vector<Recent> shown;
   std::error_code error;
+  const Shelf* shelf = ui.player().shelf();
+  const std::vector<ShelfScene> scenes = shelf != nullptr ? shelf->scenes() : std::vector<ShelfScene>();
   for (const fs::path& file : ui.player().settings.recent) {
     if (shown.size() == most_recent_shown) break;
     if (!fs::exists(file, error)) continue;
     const auto known = std::ranges::find(items, file, [](const Item& item) { return item->file; });
     std::string label = known != items.end() ? (*known)->title : printable(file.filename().string());
+    const auto scene = std::ranges::find(scenes, file, &ShelfScene::file);
+    if (scene != scenes.end()) label = "Scene: " + printable(scene->workspace->title);
     if (known != items.end() && (*known)->kind == Document::Kind::exercise) label = "Exercise: " + label;
     if (const Progress* progress = ui.player().progress(file); progress != nullptr && progress->step > 0)
       label = shortened(label, ui.px(220)) + ", step " + std::to_string(progress->step);
@@ -272,17 +368,19 @@ void draw_recent(Ui& ui, const std::vector<Item>& items) {
 void draw_tools(Ui& ui, std::string& search) {
   const float gap_x = ImGui::GetStyle().ItemSpacing.x;
   float buttons = 0;
-  for (const char* label : {"Open file ...", "Settings", "Shortcuts"})
+  for (const char* label : {"Studio", "Open file ...", "Settings", "Shortcuts"})
     buttons += ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x + gap_x;
   const float room = ImGui::GetContentRegionAvail().x;
   const bool one_row = room - buttons >= ui.px(180);
   ImGui::SetNextItemWidth(one_row ? std::min(room - buttons, ui.px(420)) : room);
-  ImGui::InputTextWithHint("##search", "Search the lessons and exercises", &search);
+  ImGui::InputTextWithHint("##search", "Search the lessons, exercises and scenes", &search);
   ui.thing("start search");
   if (one_row) ImGui::SameLine();
   if (one_row) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - buttons + gap_x);
-  const std::pair<const char*, const char*> tools[] = {
-      {"Open file ...", "file.open"}, {"Settings", "view.settings"}, {"Shortcuts", "help.shortcuts"}};
+  const std::pair<const char*, const char*> tools[] = {{"Studio", "file.new_scene"},
+                                                       {"Open file ...", "file.open"},
+                                                       {"Settings", "view.settings"},
+                                                       {"Shortcuts", "help.shortcuts"}};
   for (const auto& [label, action] : tools) {
     if (ui.button(label, "start " + std::string(action))) ui.act(action);
     ImGui::SameLine();
@@ -307,16 +405,22 @@ void draw(Ui& ui) {
   draw_lost_work(ui);
   draw_recent(ui, items);
   draw_tools(ui, search);
+  const std::vector<ShelfScene> scenes = shelf != nullptr ? shelf->scenes() : std::vector<ShelfScene>();
+  draw_scenes(ui, scenes, search, true);
   draw_section(ui, "Lessons", items, Document::Kind::lesson, search);
   draw_section(ui, "Exercises", items, Document::Kind::exercise, search);
+  draw_scenes(ui, scenes, search, false);
   if (shelf == nullptr || !shelf->done()) {
     quiet_text(ui, "Loading ... " + std::to_string(items.size()) + " so far");
   } else if (items.empty()) {
     quiet_text(ui, "No lessons were found here. Open a file, or drop one onto this window.");
-  } else if (std::ranges::none_of(items, [](const Item& item) {
-               return contains(item->title, search) || contains(item->unit, search) ||
-                      contains(item->summary, search) || contains(item->file.stem().string(), search);
-             })) {
+  } else if (std::ranges::none_of(items,
+                                  [](const Item& item) {
+                                    return contains(item->title, search) || contains(item->unit, search) ||
+                                           contains(item->summary, search) ||
+                                           contains(item->file.stem().string(), search);
+                                  }) &&
+             std::ranges::none_of(scenes, [](const ShelfScene& scene) { return is_found(scene, search); })) {
     quiet_text(ui, "Nothing is called so.");
   }
   if (shelf != nullptr && !shelf->diagnostics().empty()) {
@@ -328,7 +432,7 @@ void draw(Ui& ui) {
   ImGui::EndChild();
 }
 
-bool is_relevant(const Player& player) { return player.session() == nullptr; }
+bool is_relevant(const Player& player) { return player.session() == nullptr && !player.in_studio(); }
 
 }  // namespace
 

@@ -201,8 +201,9 @@ fs::path typed_path(const fs::path& folder, const std::string& text) {
 
 fs::path folder_to_save(const Player& player) {
   std::error_code error;
-  if (player.session() != nullptr) {
-    const fs::path folder = player.session()->document().file.parent_path();
+  if (player.session() != nullptr || player.studio() != nullptr) {
+    const fs::path folder =
+        (player.session() != nullptr ? player.session()->document().file : player.studio()->file()).parent_path();
     if (!folder.empty() && ::access(folder.c_str(), W_OK) == 0) return folder;
   }
   return fs::current_path(error);

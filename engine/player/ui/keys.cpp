@@ -50,13 +50,27 @@ std::string key_text(const Event& event) {
 }
 
 // Panels with text fields: in them Tab walks from field to field.
-bool has_fields(std::string_view panel) { return panel == "inputs" || panel == "predict"; }
+bool has_fields(std::string_view panel) {
+  return panel == "inputs" || panel == "predict" || panel == "make" || panel == "shape" || panel == "place";
+}
 
 bool is_arrow(std::string_view key) { return key == "Left" || key == "Right" || key == "Up" || key == "Down"; }
+
+std::string reason_in_studio(const Player& player, std::string_view id) {
+  const Studio& studio = *player.studio();
+  if (id == "edit.undo") return "Nothing has been changed.";
+  if (id == "edit.redo") return "Nothing has been undone.";
+  if (studio.workspace().objects.empty()) return "The scene is empty; D draws a curve.";
+  if (id == "studio.ride") return "Choose a curve first.";
+  if (id == "studio.enter") return "Nothing has the focus; Alt and arrows choose a point.";
+  if (id.starts_with("studio.")) return "Choose a thing first: click it, or ] for the next one.";
+  return {};
+}
 
 // Why an action cannot be done now, as a sentence; empty where that is not simple to say.
 std::string reason_against(const Player& player, std::string_view id) {
   const Session* session = player.session();
+  if (player.in_studio()) return reason_in_studio(player, id);
   if (session == nullptr) return "Nothing is open.";
   const auto one_of = [&](std::initializer_list<std::string_view> ids) {
     return std::ranges::find(ids, id) != ids.end();
@@ -185,7 +199,7 @@ bool Ui::take(const Event& event) {
       io.AddInputCharactersUTF8(event.text.c_str());
       return false;
     case Event::Kind::drop:
-      send([path = event.text](Player& player) { player.unless_unsaved([path](Player& p) { p.open(path); }); });
+      send([path = event.text](Player& player) { player.open_asking(path); });
       return true;
     case Event::Kind::close:
       send([](Player& player) { player.unless_unsaved([](Player& p) { p.quit(); }); });
@@ -198,7 +212,7 @@ bool Ui::take(const Event& event) {
 bool Ui::shortcut(const std::string& key) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool plain = key.find('+') == std::string::npos || key.size() == 1;
-  const bool dialog = covered();
+  const bool dialog = covered(), on_start = player_->session() == nullptr && !player_->in_studio();
   if (key == "Escape") {
     text_panel_.clear();
     if (dialog || io.WantTextInput) {
@@ -210,6 +224,9 @@ bool Ui::shortcut(const std::string& key) {
     ring_ = false;
     send([](Player& player) {
       if (player.put_back()) return;  // what the mouse holds
+      if (player.in_studio() && player.studio()->escape()) return;
+      const bool let_go = player.pinned() || player.focused || !player.problems().list.empty();
+      if (player.stepping_from_studio() && !let_go) return player.back_to_studio();
       player.pin({});
       player.focused = {};
       player.focus.clear();
@@ -238,7 +255,7 @@ bool Ui::shortcut(const std::string& key) {
     choose_tab(key == "Ctrl+Tab" ? 1 : -1);
     return true;
   }
-  if (player_->session() == nullptr && keyboard_panel().empty() && is_arrow(key)) {
+  if (on_start && keyboard_panel().empty() && is_arrow(key)) {
     give_focus("start");
     return true;
   }
@@ -247,13 +264,13 @@ bool Ui::shortcut(const std::string& key) {
   const bool walks = key == "Left" || key == "Right" || key == "Up" || key == "Down" || key == "Space" ||
                      key == "Enter" || key == "Tab" || key == "Home" || key == "End" || key == "PageUp" ||
                      key == "PageDown";
-  if (walks && (walking || player_->session() == nullptr)) return false;
+  if (walks && (walking || on_start)) return false;
   if (key.starts_with("Alt+") && is_arrow(std::string_view(key).substr(4))) {
     const std::string way = key.substr(4);
     move_in_sheet(way == "Left" ? -1 : (way == "Right" ? 1 : 0), way == "Up" ? -1 : (way == "Down" ? 1 : 0));
     return true;
   }
-  const Action* action = action_for_key(key);
+  const Action* action = action_for_key(*player_, key);
   if (action == nullptr) return false;
   run_action(action->id, true);
   return true;

@@ -24,7 +24,23 @@ std::string message_of(const Diagnostics& diagnostics) {
   return text;
 }
 
+class InputsModel : public FieldModel {
+ public:
+  std::string_view panel() const override { return "inputs"; }
+  FieldTexts* texts(Player& player) const override {
+    return player.session() != nullptr ? &player.session()->fields() : nullptr;
+  }
+  const FieldTexts& texts(const Player& player) const override { return player.session()->fields(); }
+  const Diagnostics& rejected(const Player& player) const override { return player.session()->rejected(); }
+  void forget_rejected(Player& player) const override { player.session()->forget_rejected(); }
+};
+
 }  // namespace
+
+const FieldModel& inputs_model() {
+  static const InputsModel model;
+  return model;
+}
 
 std::string with_subscript(std::string_view letter, std::size_t index) {
   std::string text(letter);
@@ -32,40 +48,40 @@ std::string with_subscript(std::string_view letter, std::size_t index) {
   return text;
 }
 
-void InputFields::apply(const NumberField& field, const std::string& value, const std::string& text,
-                        const NumberEdit& edit, const std::string& gesture) {
+void Fields::apply(const NumberField& field, const std::string& value, const std::string& text, const TakeNumber& take,
+                   const std::string& gesture) {
   const auto x = typed_number(text);
-  ui_.send([=, path = field.path, what = field.name + " = " + text](Player& player) {
-    Session* session = player.session();
-    if (session == nullptr) return;
+  ui_.send([=, model = &model_, path = field.path, what = field.name + " = " + text](Player& player) {
+    FieldTexts* texts = model->texts(player);
+    if (texts == nullptr) return;
     if (!x)
-      session->fields().refuse(path, value, text, std::string(number_wanted));
-    else if (player.edit(edit(*session, *x), what, gesture))
-      session->fields().accept(path);
+      texts->refuse(path, value, text, std::string(number_wanted));
+    else if (take(player, *x, what, gesture))
+      texts->accept(path);
     else
-      session->fields().refuse(path, value, text, message_of(session->rejected()));
+      texts->refuse(path, value, text, message_of(model->rejected(player)));
   });
 }
 
-void InputFields::send(const std::string& path, const std::string& what, PlainEdit edit, const std::string& gesture) {
-  ui_.send([=](Player& player) {
-    Session* session = player.session();
-    if (session == nullptr) return;
-    if (player.edit(edit(*session), what, gesture))
-      session->fields().accept(path);
+void Fields::send_edit(const std::string& path, const std::string& what, TakeEdit take, const std::string& gesture) {
+  ui_.send([=, model = &model_](Player& player) {
+    FieldTexts* texts = model->texts(player);
+    if (texts == nullptr) return;
+    if (take(player, what, gesture))
+      texts->accept(path);
     else
-      session->fields().refuse(path, "", "", message_of(session->rejected()));
+      texts->refuse(path, "", "", message_of(model->rejected(player)));
   });
 }
 
-bool InputFields::number_(const NumberField& field, const std::function<NumberEdit()>& edit) {
+bool Fields::number_(const NumberField& field, const std::function<TakeNumber()>& edit) {
   const std::string value = number_text(field.value, field.style);
   const std::string& shown = texts_.text(field.path, value);
   std::array<char, 512> buffer{};
   shown.copy(buffer.data(), buffer.size() - 1);
 
   ImGui::SetNextItemWidth(field.width);
-  if (ui_.gives_keyboard_to_field_of("inputs")) ImGui::SetKeyboardFocusHere();
+  if (ui_.gives_keyboard_to_field_of(model_.panel())) ImGui::SetKeyboardFocusHere();
   if (field.quiet) ImGui::PushStyleColor(ImGuiCol_Text, ui_.ink(Role::text_quiet));
   ImGui::PushID(field.path.c_str());
   bool counted = false;
@@ -76,30 +92,31 @@ bool InputFields::number_(const NumberField& field, const std::function<NumberEd
   ImGui::PopID();
   if (field.quiet) ImGui::PopStyleColor();
   const std::string text = buffer.data();
-  ui_.thing("inputs " + field.name);
+  ui_.thing(std::string(model_.panel()) + " " + field.name);
   const bool hovered = ImGui::IsItemHovered(), left = ImGui::IsItemDeactivated();
 
   const auto escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
   if (left && ImGui::IsKeyPressed(escape, false)) {
-    ui_.send([path = field.path](Player& player) {
-      if (player.session() == nullptr) return;
-      player.session()->fields().drop(path);
-      player.session()->forget_rejected();
+    ui_.send([path = field.path, model = &model_](Player& player) {
+      if (FieldTexts* texts = model->texts(player)) {
+        texts->drop(path);
+        model->forget_rejected(player);
+      }
     });
   } else if (entered || (left && texts_.holds(field.path) && texts_.error(field.path, value).empty()) ||
              (left && text != shown)) {
     if (text != value || !texts_.error(field.path, value).empty())
       apply(field, value, text, edit(), {});
     else
-      ui_.send([path = field.path](Player& player) {
-        if (player.session()) player.session()->fields().drop(path);
+      ui_.send([path = field.path, model = &model_](Player& player) {
+        if (FieldTexts* texts = model->texts(player)) texts->drop(path);
       });
     if (entered) ImGui::SetKeyboardFocusHere(-1);
   } else if (counted) {
     apply(field, value, text, edit(), "arrows " + field.path);
   } else if (text != shown && ImGui::IsItemActive()) {
-    ui_.send([path = field.path, value, text](Player& player) {
-      if (player.session() != nullptr) player.session()->fields().type(path, value, text);
+    ui_.send([path = field.path, value, text, model = &model_](Player& player) {
+      if (FieldTexts* texts = model->texts(player)) texts->type(path, value, text);
     });
   }
 
@@ -109,15 +126,15 @@ bool InputFields::number_(const NumberField& field, const std::function<NumberEd
   return hovered;
 }
 
-const std::string& InputFields::problem(const std::string& path, const std::string& value) const {
+const std::string& Fields::problem(const std::string& path, const std::string& value) const {
   const std::string& own = texts_.error(path, value);
   if (!own.empty()) return own;
-  for (const Diagnostic& diagnostic : session_.rejected())
-    if (diagnostic.path == path && !texts_.says(message_of(session_.rejected()))) return diagnostic.message;
+  for (const Diagnostic& diagnostic : rejected_)
+    if (diagnostic.path == path && !texts_.says(message_of(rejected_))) return diagnostic.message;
   return own;
 }
 
-void InputFields::mark(const std::string& path, const std::string& value) {
+void Fields::mark(const std::string& path, const std::string& value) {
   const std::string& message = problem(path, value);
   if (message.empty()) return;
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
@@ -126,11 +143,11 @@ void InputFields::mark(const std::string& path, const std::string& value) {
   if (std::find(kept_.begin(), kept_.end(), message) == kept_.end()) kept_.push_back(message);
 }
 
-void InputFields::say() {
+void Fields::say() {
   for (const std::string& message : std::exchange(kept_, {})) say(message);
 }
 
-void InputFields::say(const std::string& message) {
+void Fields::say(const std::string& message) {
   const float side = ImGui::GetTextLineHeight();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -148,17 +165,17 @@ void InputFields::say(const std::string& message) {
   ImGui::TextUnformatted(message.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
-  ui_.thing("inputs error");
+  ui_.thing(std::string(model_.panel()) + " error");
 }
 
-bool InputFields::wanted(std::string_view prefix) const {
+bool Fields::wanted(std::string_view prefix) const {
   if (texts_.holds(prefix)) return true;
-  return std::ranges::any_of(session_.rejected(), [&](const Diagnostic& d) { return d.path.starts_with(prefix); });
+  return std::ranges::any_of(rejected_, [&](const Diagnostic& d) { return d.path.starts_with(prefix); });
 }
 
-void InputFields::say_rest(const std::function<bool(const std::string& path)>& has_field) {
-  for (const Diagnostic& diagnostic : session_.rejected()) {
-    if (has_field(diagnostic.path) || texts_.says(message_of(session_.rejected()))) continue;
+void Fields::say_rest(const std::function<bool(const std::string& path)>& has_field) {
+  for (const Diagnostic& diagnostic : rejected_) {
+    if (has_field(diagnostic.path) || texts_.says(message_of(rejected_))) continue;
     say((diagnostic.path.empty() ? "" : printable(diagnostic.path) + ": ") + printable(diagnostic.message));
   }
 }

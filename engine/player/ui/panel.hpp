@@ -32,6 +32,7 @@ struct Panel {
   double (*height)(const Ui&, double width) = nullptr;  // in a slot with several: how much it wants, in units
   double least = 0;      // in units: below this much it is left out (strip) or becomes a tab (side)
   bool widgets = false;  // made of Dear ImGui's widgets, which take arrow keys while the keyboard is in it
+  bool studio = false;   // of the studio, not of the lessons
 };
 
 const std::vector<const Panel*>& panels();

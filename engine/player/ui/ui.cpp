@@ -105,8 +105,9 @@ void Ui::frame(double seconds, bool drawn) {
   // What was sent is seen in the next frame.
   if (!sent_.empty()) redraw();
   const Session* about = player_->session();
+  const Studio* studio = player_->studio();
   for (const auto& what : std::exchange(sent_, {})) {
-    if (player_->session() != about) break;  // the others were about what is open no more
+    if (player_->session() != about || player_->studio() != studio) break;  // the others were about what is open no more
     what(*player_);
     player_->settle();
   }
@@ -177,10 +178,10 @@ Checked<bool> Ui::save_picture(const Scene& scene, const std::filesystem::path& 
 constexpr double share_of_widgets = 0.62;  // of the side's height, unless one has chosen another
 
 void Ui::draw_panels() {
+  const bool in_studio = player_->in_studio(), open = player_->session() != nullptr || in_studio;
   const auto relevant = [&](const Panel& panel) {
-    if (panel.slot != Slot::bar && panel.slot != Slot::page && panel.slot != Slot::float_ &&
-        player_->session() == nullptr)
-      return false;
+    const bool anywhere = panel.slot == Slot::bar || panel.slot == Slot::page || panel.slot == Slot::float_;
+    if (!anywhere && (!open || panel.studio != in_studio)) return false;
     return panel.relevant == nullptr || panel.relevant(*player_);
   };
   const auto wanted = [&](const Panel& panel, double at_width) {
@@ -191,7 +192,7 @@ void Ui::draw_panels() {
                   height(),
                   player_->settings.side_share,
                   lower_share,
-                  player_->session() == nullptr,
+                  !open,
                   lower_share != Settings{}.lower_share};
   // What one fills in has more room than what one looks at.
   for (const Panel* panel : panels())
@@ -201,7 +202,7 @@ void Ui::draw_panels() {
   for (const Placed& placed : layout.placed) draw_window(*placed.panel, placed.rect);
   if (!layout.tabbed.empty() && layout.tabs.height > 0) draw_tabs(layout);
   focus_request_.clear();  // of a panel that is not on the screen
-  if (player_->session() != nullptr) draw_splitters(layout);
+  if (open) draw_splitters(layout);
   for (const Panel* panel : panels())
     if (panel->slot == Slot::float_ && relevant(*panel)) panel->draw(*this);
   // A dialog that is not wanted any more goes at once, or it would hold the keyboard for another frame.
