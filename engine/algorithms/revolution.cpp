@@ -24,13 +24,12 @@ bool is_corner(const Site& site) { return site.trace().value(site.value()).rule 
 // The corner counts as much as the ends of the arc: its weight is not multiplied by cos(h).
 std::vector<Numbers<Exact>> equal_weights(const Site& site) {
   if (!is_corner(site)) return {};
-  const auto corner = site.numbers(site.value());
   const Exact w = site.operand(5)[0];
   if (w == Exact(0)) return {};
   const auto O = site.operand(0), X = site.operand(1), Y = site.operand(2);
   const Exact c = site.operand(3)[0], s = site.operand(4)[0];
   Numbers<Exact> made;
-  for (std::size_t i = 0; i < 4 && corner.size() == 4; ++i) made.push_back(O[i] + (c * X[i] + s * Y[i]) / w);
+  for (std::size_t i = 0; i < 4; ++i) made.push_back(O[i] + (c * X[i] + s * Y[i]) / w);
   return {made};
 }
 

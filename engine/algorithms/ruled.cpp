@@ -9,20 +9,29 @@ constexpr auto run = []<class In, class R>(const In& inputs, R& rec) -> Outcome<
   return ruled(inputs.curve("first"), inputs.curve("second"), rec);
 };
 
-bool in_net(const Site& site) { return site.name().symbol == Symbol::of("Q") && site.name().arity == 2; }
+// Not every Q[i][j]: those of knot insertion, while the curves are made compatible, are called the same.
+bool in_net(const Site& site) { return site.trace().value(site.value()).rule == &rule_info<PutIntoNet>; }
+
+// The control point of a compatible curve that belongs at (i, j) of the net, which another one was put in place of.
+std::vector<Numbers<Exact>> belongs_at(const Site& site, int i, int j) {
+  const auto v = site.sibling("Q"_v(i, j));
+  if (!v) return {};
+  const auto P = site.numbers(site.trace().operands(*v)[0]);
+  return {Numbers<Exact>(P.begin(), P.end())};
+}
 
 // The second curve is run through backwards.
 std::vector<Numbers<Exact>> reversed(const Site& site) {
   if (!in_net(site) || site.name().index[1] != 1) return {};
   const auto [i, j] = site.name().index;
-  return value_instead(site, "Q"_v(last_row(site, site.name()) - i, j));
+  return belongs_at(site, last_row(site, site.name()) - i, j);
 }
 
 // v = 0 at the second curve.
 std::vector<Numbers<Exact>> exchanged(const Site& site) {
   if (!in_net(site)) return {};
   const auto [i, j] = site.name().index;
-  return value_instead(site, "Q"_v(i, 1 - j));
+  return belongs_at(site, i, 1 - j);
 }
 
 // The control points as given, although the curves were changed to fit each other.

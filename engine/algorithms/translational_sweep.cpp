@@ -34,7 +34,14 @@ std::vector<Numbers<Exact>> one_weight(const Site& site) {
 // Rows and columns exchanged.
 std::vector<Numbers<Exact>> transposed(const Site& site) {
   if (!in_net(site)) return {};
-  return value_instead(site, "Q"_v(site.name().index[1], site.name().index[0]));
+  const auto there = site.sibling("Q"_v(site.name().index[1], site.name().index[0]));
+  if (!there) return {};
+  const auto operands = site.trace().operands(*there);
+  const auto P = site.numbers(operands[0]), T = site.numbers(operands[1]);
+  Numbers<Exact> made;
+  for (std::size_t c = 0; c < 3; ++c) made.push_back(T[3] * P[c] + P[3] * T[c]);
+  made.push_back(P[3] * T[3]);
+  return {made};
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ constexpr auto run = []<class In, class R>(const In& inputs, R& rec) -> Outcome<
 // The control points are left as they are: the points P[j] for the blends.
 std::vector<Numbers<Exact>> points_kept(const Site& site) {
   if (!is_blend(site) || site.name().arity != 2) return {};
-  const bool left = site.trace().scope(site.value()) == "end[0].";
+  const bool left = site.trace().scope(site.value()) == "side[0].";
   const auto A = site.operand(left ? 1 : 2);
   return {Numbers<Exact>(A.begin(), A.end())};
 }
@@ -20,7 +20,7 @@ std::vector<Numbers<Exact>> points_kept(const Site& site) {
 // The neighbour as it was before this round, not as the round has made it.
 std::vector<Numbers<Exact>> old_neighbour(const Site& site) {
   if (!is_blend(site) || site.name().arity != 2) return {};
-  const bool left = site.trace().scope(site.value()) == "end[0].";
+  const bool left = site.trace().scope(site.value()) == "side[0].";
   const std::size_t neighbour = left ? 2 : 1;
   Name name = site.trace().value(site.trace().operands(site.value())[neighbour]).name;
   if (name.arity != 2 || name.index[0] != site.name().index[0]) return {};  // this round has not made it
@@ -93,7 +93,8 @@ const Algorithm& unclamping() {
     };
     a.phases = {
         {"clamp", "Clamp the curve", 1, "The curve is not clamped: first its ends become knots of full multiplicity."},
-        {"end", "End {index}", 4,
+        {"end", "Insert the end {index}", 1, "The end of the domain (0: the begin, 1: the end) becomes a full knot."},
+        {"side", "End {index}", 4,
          "The points near this end (0: the begin, 1: the end) exchange the copies of the end for the new knots, one "
          "after the other. That goes backwards what knot insertion does."},
         {"collect", "The unclamped curve", 11, "Both ends are done."},
@@ -110,7 +111,7 @@ const Algorithm& unclamping() {
          old_neighbour},
         swapped_weights("Q = (1 - beta) times the earlier point + beta times the later one: where beta is 0 the result "
                         "is the earlier point.")};
-    a.asks = {"V", "end[*].beta[*][*]", "end[*].Q[*][*]", "Q[*]"};
+    a.asks = {"V", "side[*].beta[*][*]", "side[*].Q[*][*]", "Q[*]"};
     set_runners<run>(a);
     return a;
   }();

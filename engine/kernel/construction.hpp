@@ -66,17 +66,21 @@ MadeCurve<R> given(R& rec, const Curve<typename R::Number>& curve, int l, NameMa
   return made;
 }
 
-// The same with a plane curve standing upright in the xz-plane: its points called `upright` in space.
+// A plane curve standing upright in the xz-plane, its points called `upright`; one in space as it is.
 template <class R>
-MadeCurve<R> given_upright(R& rec, const Curve<typename R::Number>& curve, NameMaker knots, NameMaker points,
-                           NameMaker upright) {
-  auto made = given(rec, curve, -1, knots, points);
-  if (curve.dimension == 3) return made;
+MadeCurve<R> stand_up(R& rec, MadeCurve<R> made, NameMaker upright) {
+  if (made.dimension == 3) return made;
   auto phase = rec.phase({"upright"});
   auto step = rec.one_step();
   for (int i = 0; i < made.P.size(); ++i) made.P.set(i, rec.apply(StandUp{}, upright(i), made.P[i]));
   made.dimension = 3;
   return made;
+}
+
+template <class R>
+MadeCurve<R> given_upright(R& rec, const Curve<typename R::Number>& curve, NameMaker knots, NameMaker points,
+                           NameMaker upright) {
+  return stand_up(rec, given(rec, curve, -1, knots, points), upright);
 }
 
 // A net of control points on its way through an algorithm, row by row.

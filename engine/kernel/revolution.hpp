@@ -209,9 +209,10 @@ Surface<typename R::Number> revolution(const Curve<typename R::Number>& profile,
   using S = typename R::Number;
   using Id = typename R::Id;
   const auto theta = rec.input("theta"_v, degrees);
-  Cells<HPoint<S>, Id> A;
+  auto plane = construct::given(rec, profile, -1, "V"_v, "P"_v);
+  Cells<HPoint<S>, Id> A;  // behind the control points, which are counted among the points that are given
   A.append(rec.inputs("A"_v, std::span<const HPoint<S>>(axis.points)), 0, 2);
-  const auto curve = construct::given_upright(rec, profile, "V"_v, "P"_v, "G"_v);
+  const auto curve = construct::stand_up(rec, std::move(plane), "G"_v);
   if (axis.dimension == 2) {
     auto phase = rec.phase({"axis"});
     auto step = rec.one_step();

@@ -57,7 +57,7 @@ void left(R& rec, MadeCurve<R>& curve) {
   const auto a = curve.U[p];
   const auto h = rec.apply(SpanLength{}, "h"_v(0), a, curve.U[p + 1]);
   for (int i = p - 1; i >= 0; --i) curve.U.set(i, rec.apply(StepBack{}, "V"_v(i), curve.U[i + 1], h));
-  auto phase = rec.phase({"end", 0, true});
+  auto phase = rec.phase({"side", 0, true});
   for (int r = 1; r <= p - 1; ++r)
     for (int j = r - 1; j >= 0; --j) {
       const auto beta = rec.apply(Ratio{}, "beta"_v(r, j), curve.U[p - r + j], a, curve.U[p + j + 1]);
@@ -73,7 +73,7 @@ void right(R& rec, MadeCurve<R>& curve) {
   const auto b = curve.U[n + 1];
   const auto h = rec.apply(SpanLength{}, "h"_v(1), curve.U[n], b);
   for (int i = n + 2; i <= n + p + 1; ++i) curve.U.set(i, rec.apply(Sum{}, "V"_v(i), curve.U[i - 1], h));
-  auto phase = rec.phase({"end", 1, true});
+  auto phase = rec.phase({"side", 1, true});
   for (int r = 1; r <= p - 1; ++r)
     for (int j = r - 1; j >= 0; --j) {
       const auto beta = rec.apply(Ratio{}, "beta"_v(r, n - j), curve.U[n + 1 + r - j], curve.U[n - j], b);

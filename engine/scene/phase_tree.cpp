@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "scene/panel_parts.hpp"
 #include "scene/panels.hpp"
@@ -36,19 +37,12 @@ struct Tree {
     return found;
   }
 
-  std::string path_name(std::uint32_t phase) const {
-    std::string name;
-    for (const std::uint32_t p : source.graph->phase_path(phase))
-      name += (name.empty() ? "" : ".") + phases()[p].label();
-    return name;
-  }
-
   void quiet(int depth, const std::string& words) {
     parts::text(sheet.view, x + depth * indent + indent, at + 14, {{words}}, Role::text_quiet, title_size);
     at += row;
   }
 
-  void entry(std::uint32_t phase, int depth, bool unfolded, bool has_children) {
+  void entry(std::uint32_t phase, const std::string& name, int depth, bool unfolded, bool has_children) {
     View& view = sheet.view;
     const PhaseRecord& record = phases()[phase];
     const bool innermost = !path.empty() && path.back() == phase;
@@ -66,8 +60,7 @@ struct Tree {
       parts::fill(view, box, Role::current, 0.18);
       parts::fill(view, {box.x, box.y, 3, box.height}, Role::current);
     }
-    sheet.spots.push_back(
-        {{Link::Kind::phase, phase}, box.x, box.y, box.width, box.height, "phase " + path_name(phase)});
+    sheet.spots.push_back({{Link::Kind::phase, phase}, box.x, box.y, box.width, box.height, "phase " + name});
     if (has_children) parts::text(view, left, at + 14, {{unfolded ? "▾" : "▸"}}, Role::text_quiet, title_size);
     double baseline = at + 14;
     for (const std::string& line : lines) {
@@ -79,8 +72,9 @@ struct Tree {
     at += box.height;
   }
 
-  // Of many siblings only those around the current one, unless their parent was unfolded on purpose.
-  void list(std::uint32_t parent, int depth) {
+  // Of many siblings only those around the current one, unless their parent was unfolded on purpose. `scope` is what
+  // stands in front of their names.
+  void list(std::uint32_t parent, int depth, const std::string& scope) {
     const auto all = children(parent);
     std::size_t from = 0, to = all.size();
     if (all.size() > most_siblings && (parent == absent || !in_open(parent))) {
@@ -92,15 +86,20 @@ struct Tree {
       if (from == 1) from = 0;  // "1 before" takes as much room as the one
       if (to + 1 == all.size()) to = all.size();
     }
+    // The rows of an elimination are gone through again for each column: the second of a label is "row[2] 2".
+    std::map<std::string, int> labels;
     if (from > 0) quiet(depth, "… " + std::to_string(from) + " before");
     for (std::size_t i = 0; i < all.size(); ++i) {
       const std::uint32_t phase = all[i];
+      const std::string label = phases()[phase].label();
+      const int count = ++labels[label];
       const bool shown = (i >= from && i < to) || in_open(phase);
       if (!shown) continue;
       const bool has_children = phase + 1 < phases().size() && phases()[phase + 1].parent == phase;
       const bool unfolded = has_children && (on_path(phase) || in_open(phase));
-      entry(phase, depth, unfolded, has_children);
-      if (unfolded) list(phase, depth + 1);
+      const std::string name = scope + label + (count > 1 ? " " + std::to_string(count) : "");
+      entry(phase, name, depth, unfolded, has_children);
+      if (unfolded) list(phase, depth + 1, name + ".");
     }
     if (to < all.size()) quiet(depth, "… " + std::to_string(all.size() - to) + " more");
   }
@@ -113,7 +112,7 @@ double add_phase_tree(Sheet& sheet, const StepSource& source, std::uint32_t step
   const TraceGraph& graph = *source.graph;
   if (graph.phases().empty()) return 0;
   Tree tree{sheet, source, step, graph.phase_path(graph.step(step).phase), open, x, width, y};
-  tree.list(absent, 0);
+  tree.list(absent, 0, {});
   return tree.at - y;
 }
 

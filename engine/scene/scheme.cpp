@@ -48,26 +48,32 @@ struct Builder {
     int column;
     double row = 0;
     std::vector<std::size_t> from;
+    bool made = false;  // here; else only read
   };
   std::vector<Made> cells;
   std::unordered_map<ValueId, std::size_t> index;
 
   std::size_t add(ValueId v, int column) {
     index.emplace(v, cells.size());
-    cells.push_back({v, column, 0, {}});
+    cells.push_back({v, column, 0, {}, false});
     return cells.size() - 1;
   }
 
+  // A point comes from points, wherever they were made. A number comes from those of the scheme alone (the knots beside
+  // them are no cells), so that the first one of all stands in column 0.
   void add_made(const TraceGraph& graph, ValueId v) {
+    const bool is_point = graph.value(v).kind == ValueKind::point;
     std::vector<std::size_t> from;
-    int column = 1;
+    int column = is_point ? 1 : 0;
     for (const ValueId o : graph.operands(v)) {
-      if (graph.value(o).kind != ValueKind::point) continue;
       const auto known = index.find(o);
+      if (is_point ? graph.value(o).kind != ValueKind::point : known == index.end()) continue;
       from.push_back(known != index.end() ? known->second : add(o, 0));
       column = std::max(column, cells[from.back()].column + 1);
     }
-    cells[add(v, column)].from = std::move(from);
+    const std::size_t made = add(v, column);
+    cells[made].from = std::move(from);
+    cells[made].made = true;
   }
 
   std::vector<std::vector<std::size_t>> by_column() const {
@@ -142,7 +148,8 @@ Scheme make_scheme(const StepSource& source, std::uint32_t part) {
     const auto [begin, end] = graph.values_of(step);
     for (ValueId v = begin; v < end; ++v) {
       const ValueRecord& record = graph.value(v);
-      if (record.kind != ValueKind::point || record.rule == nullptr) continue;
+      const bool is_cell = record.kind == ValueKind::point || (by_table && record.kind == ValueKind::scalar);
+      if (!is_cell || record.rule == nullptr) continue;
       const ValueSpec* spec = by_table ? algorithm->spec(record.name) : nullptr;
       if (by_table ? spec != nullptr && spec->tableau : is_elevation(*record.rule)) builder.add_made(graph, v);
     }
@@ -162,7 +169,7 @@ Scheme make_scheme(const StepSource& source, std::uint32_t part) {
     for (const std::size_t i : column) {
       const auto& cell = builder.cells[i];
       scheme.by_value_.emplace_back(cell.value, scheme.cells.size());
-      if (cell.column > 0) scheme.by_step_.emplace_back(graph.value(cell.value).step, scheme.cells.size());
+      if (cell.made) scheme.by_step_.emplace_back(graph.value(cell.value).step, scheme.cells.size());
       scheme.cells.push_back({cell.value, cell.column, cell.row - top});
     }
   }

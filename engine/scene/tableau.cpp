@@ -180,11 +180,18 @@ struct Setter {
     const double size = parts::size_to_fit(parts::ems(name), role, box.width, 0.9);
     parts::text(sheet.view, middle_x, layout.values ? middle_y - 2 : middle_y + 5, std::move(name), role, size,
                 Label::Placement::centre);
-    if (!layout.values || !source.points[cell.value]) return;
-    const auto& p = *source.points[cell.value];
-    std::string numbers = "(" + format_short(p.x, 2) + ", " + format_short(p.y, 2);
-    if (source.spatial()) numbers += ", " + format_short(p.z, 2);
-    numbers += ")";
+    if (!layout.values) return;
+    std::string numbers;
+    if (const auto& p = source.points[cell.value]) {
+      numbers = "(" + format_short(p->x, 2) + ", " + format_short(p->y, 2);
+      if (source.spatial()) numbers += ", " + format_short(p->z, 2);
+      numbers += ")";
+    } else if (record.kind == ValueKind::scalar) {
+      numbers = source.value_text(cell.value);
+      if (numbers.size() > 9) numbers = format_short(source.scalars[cell.value], 3);
+    } else {
+      return;
+    }
     const double small = std::min(0.72, (box.width + 2) / (static_cast<double>(numbers.size()) * 14 * 0.55));
     parts::text(sheet.view, middle_x, middle_y + 13, {{numbers}}, Role::text_quiet, small, Label::Placement::centre);
   }

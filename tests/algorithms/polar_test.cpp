@@ -86,7 +86,8 @@ bool is_labelled(const Algorithm& algorithm, const TraceGraph& trace, const std:
   if (trace.is_input(v)) return algorithm.family != Family::fitting && algorithm.family != Family::construction;
   if (trace.value(v).rule->polar == Polar::none) return false;
   return std::ranges::all_of(trace.operands(v), [&](ValueId from) {
-    return trace.value(from).kind != ValueKind::point || !labels[from].empty();
+    const ValueKind kind = trace.value(from).kind;
+    return (kind != ValueKind::point && kind != ValueKind::vector) || !labels[from].empty();
   });
 }
 

@@ -106,8 +106,12 @@ CURVE_CHANGES = [
 ]
 
 
+ALGORITHMS = json.loads(schema_of("algorithms").read_text())
+
+
 def run_changes(document):
-    changes = RUN_CHANGES + [(["inputs", key], LEFT_OUT) for key in document["inputs"] if key not in ("times", "parametrization")]
+    needed = ALGORITHMS["$defs"][document["algorithm"]]["required"]
+    changes = RUN_CHANGES + [(["inputs", key], LEFT_OUT) for key in document["inputs"] if key in needed]
     changes += [(["inputs", key], "no such thing") for key in document["inputs"]]
     if "curve" in document["inputs"]:
         changes += [(["inputs", "curve"] + path, value) for path, value in CURVE_CHANGES]

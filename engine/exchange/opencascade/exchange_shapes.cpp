@@ -213,6 +213,7 @@ std::string packed(Checked<Imported> read) {
   scene.title = "import";
   for (SceneObject& object : read->objects) {
     object.name = free_name(scene, object.name);
+    look_at_middle(object);
     scene.objects.push_back(std::move(object));
   }
   std::string text(1, taken);
