@@ -136,7 +136,7 @@ const Algorithm& approximation() {
          "{@0} is larger than the tolerance {@1}: one more control point.",
          ValueSpec::Draw::none,
          false,
-         {{"", "ok", 10, "{@0} keeps the tolerance {@1}: this is the curve."}}},
+         {{"", "ok", 10, "{@0} is not more than the tolerance {@1}: this is the curve."}}},
     };
     a.phases = {
         {"parameters", "Parameters", 1, "At which t shall the curve pass each point? The choice shapes the curve."},
@@ -164,7 +164,7 @@ const Algorithm& approximation() {
                          "A knot lies between two parameters, alpha of the way from the first to the second: so every "
                          "span holds about equally many of them.",
                          knot_at_parameter}};
-    a.asks = {"t[*]", "U", "M[*][*]", "P[*]"};
+    a.asks = {"t[*]", "U", "M[*][*]", "P[*]", "try[*].U", "try[*].M[*][*]", "try[*].P[*]"};
     a.check = check;
     set_runners<run>(a);
     return a;

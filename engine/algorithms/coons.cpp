@@ -76,9 +76,9 @@ const Algorithm& coons() {
     a.given_narration = "Four curves that meet at four corners. A surface is to fill what is between them.";
     a.values = {
         {"U", {"l", "i"}, "the knot i of curve l along u"},
-        {"P", {"l", "i"}, "the control point i of curve l along u", 0, "", ValueSpec::Draw::net},
+        {"P", {"l", "i"}, "the control point i of curve l along u", 0, "", ValueSpec::Draw::level},
         {"V", {"k", "j"}, "the knot j of curve k along v"},
-        {"R", {"k", "j"}, "the control point j of curve k along v", 0, "", ValueSpec::Draw::net},
+        {"R", {"k", "j"}, "the control point j of curve k along v", 0, "", ValueSpec::Draw::level},
         {"a", {"i"}, "the Greville abscissa i along u", 2, "{name} = {result}."},
         {"f",
          {"i"},

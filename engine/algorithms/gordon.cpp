@@ -134,9 +134,9 @@ const Algorithm& gordon() {
         "A network of curves: some along u, some along v, and they cross. A surface is to hold them all.";
     a.values = {
         {"U", {"l", "i"}, "the knot i of curve l along u"},
-        {"P", {"l", "i"}, "the control point i of curve l along u", 0, "", ValueSpec::Draw::net},
+        {"P", {"l", "i"}, "the control point i of curve l along u", 0, "", ValueSpec::Draw::level},
         {"V", {"k", "j"}, "the knot j of curve k along v"},
-        {"R", {"k", "j"}, "the control point j of curve k along v", 0, "", ValueSpec::Draw::net},
+        {"R", {"k", "j"}, "the control point j of curve k along v", 0, "", ValueSpec::Draw::level},
         {"k", {"k"}, "the index k; 0: how many spaces there are"},
         {"l", {"l"}, "the index l; 0: how many spaces there are"},
         {"u", {"k"}, "the parameter of curve k along v", 2, "The curve {k} along v crosses at {name} = {value}."},

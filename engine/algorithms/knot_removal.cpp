@@ -141,7 +141,7 @@ const Algorithm& knot_removal() {
          "{@0} is more than the tolerance {@1}: the knot stays.",
          ValueSpec::Draw::none,
          false,
-         {{"", "ok", 7, "{@0} keeps the tolerance {@1}: the knot can go."}}},
+         {{"", "ok", 7, "{@0} is not more than the tolerance {@1}: the knot can go."}}},
         {"Ubar", {}, "the new knot vector", 8, "One copy less: Ubar = {value}."},
         {"h", {}, "how often the knot was removed"},
         {"E",

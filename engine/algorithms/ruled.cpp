@@ -65,7 +65,7 @@ const Algorithm& ruled() {
         "Two curves. For each u, a straight segment is to run from the point of the first to the point of the second.";
     a.values = {
         {"U", {"l", "j"}, "the knot j of curve l"},
-        {"P", {"l", "i"}, "the control point i of curve l", 0, "", ValueSpec::Draw::net},
+        {"P", {"l", "i"}, "the control point i of curve l", 0, "", ValueSpec::Draw::level},
         {"V", {}, "the knots along the rulings", 2, "Along the rulings: V = {value}."},
         {"Q",
          {"i", "j"},

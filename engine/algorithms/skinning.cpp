@@ -81,7 +81,7 @@ const Algorithm& skinning() {
     a.values = {
         {"q", {}, "the degree across the profiles"},
         {"U", {"l", "j"}, "the knot j of profile l"},
-        {"P", {"l", "i"}, "the control point i of profile l", 0, "", ValueSpec::Draw::net},
+        {"P", {"l", "i"}, "the control point i of profile l", 0, "", ValueSpec::Draw::level},
         {"U", {}, "the knots of a profile as one vector", 1, "Its knot vector so far: {value}."},
         {"U",
          {"i"},

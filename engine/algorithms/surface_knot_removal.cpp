@@ -96,7 +96,7 @@ const Algorithm& surface_knot_removal() {
                           "{@0} is more than the tolerance {@1}: the knot stays.",
                           ValueSpec::Draw::none,
                           false,
-                          {{"", "all", 5, "{@0} keeps the tolerance {@1}: the knot can go."}}},
+                          {{"", "all", 5, "{@0} is not more than the tolerance {@1}: the knot can go."}}},
                          {"Q",
                           {"i", "j"},
                           "the control point in row i and column j afterwards",

@@ -37,11 +37,15 @@ std::vector<Numbers<Exact>> not_unit(const Site& site) {
   return {made};
 }
 
-// The binormal on the wrong side.
+// The binormal on the wrong side. It shows in where the profile goes: in the vector itself it is a wrong sign, which
+// might be a slip.
 std::vector<Numbers<Exact>> left_handed(const Site& site) {
-  if (site.trace().value(site.value()).rule != &rule_info<CrossProduct>) return {};
-  const auto a = site.operand(0), b = site.operand(1);
-  return {{b[1] * a[2] - b[2] * a[1], b[2] * a[0] - b[0] * a[2], b[0] * a[1] - b[1] * a[0], Exact(0)}};
+  if (site.trace().value(site.value()).rule != &rule_info<PlaceInFrame>) return {};
+  const auto P = site.operand(0), X = site.operand(1), t = site.operand(2), n = site.operand(3), b = site.operand(4);
+  Numbers<Exact> made;
+  for (std::size_t c = 0; c < 3; ++c) made.push_back(P[3] * X[c] + P[0] * n[c] - P[1] * b[c] + P[2] * t[c]);
+  made.push_back(P[3]);
+  return {made};
 }
 
 // The profile is moved, but not turned.
@@ -201,7 +205,7 @@ const Algorithm& sweep() {
         {"not-turned", "the profile is moved, but not turned",
          "The profile's x is measured along the normal and its y along the binormal of the section's frame.",
          not_turned}};
-    a.asks = {"v[*]", "R[*][*]", "error"};
+    a.asks = {"v[*]", "R[*][*]", "attempt[*].v[*]", "attempt[*].R[*][*]", "error"};
     a.check = check;
     set_runners<run>(a);
     return a;

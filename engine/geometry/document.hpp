@@ -24,8 +24,8 @@ std::optional<Surface<Exact>> read_surface(const Cursor&);
 
 // [[x, y], ...]: all of 2 or all of 3 coordinates, `at_least` to `at_most` of them.
 std::optional<PointRow<Exact>> read_points(const Cursor&, std::size_t at_least, std::size_t at_most);
-// [[[x, y, z], ...], ...]: rows of equally many points, at least 2 x 2, at most 65,536 in all; of 3 coordinates, or of 2
-// (then z = 0).
+// [[[x, y, z], ...], ...]: rows of equally many points, at least 2 x 2, at most 65,536 in all; of 3 coordinates, or of
+// 2 (then z = 0).
 std::optional<PointNet<Exact>> read_net(const Cursor&);
 
 // The JSON text of a curve or surface, on one line: affine points, with weights if it is rational, without knots if it

@@ -75,9 +75,8 @@ std::string write_points(const PointRow<S>& row) {
 template <Scalar S>
 std::string write_net(const PointNet<S>& net) {
   return array(static_cast<std::size_t>(net.rows), [&](std::size_t i) {
-    return array(static_cast<std::size_t>(net.columns), [&](std::size_t j) {
-      return affine_point(net.at(static_cast<int>(i), static_cast<int>(j)), 3);
-    });
+    return array(static_cast<std::size_t>(net.columns),
+                 [&](std::size_t j) { return affine_point(net.at(static_cast<int>(i), static_cast<int>(j)), 3); });
   });
 }
 

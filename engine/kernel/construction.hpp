@@ -77,12 +77,6 @@ MadeCurve<R> stand_up(R& rec, MadeCurve<R> made, NameMaker upright) {
   return made;
 }
 
-template <class R>
-MadeCurve<R> given_upright(R& rec, const Curve<typename R::Number>& curve, NameMaker knots, NameMaker points,
-                           NameMaker upright) {
-  return stand_up(rec, given(rec, curve, -1, knots, points), upright);
-}
-
 // A net of control points on its way through an algorithm, row by row.
 template <class R>
 struct Net {

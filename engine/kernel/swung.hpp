@@ -8,6 +8,8 @@
 // weights are in the points already: Q[i][j] = (a Px Tx, a Px Ty, Pz Tw, Pw Tw). A circle of radius 1 as trajectory,
 // and a = 1, give the surface of revolution.
 
+#include <utility>
+
 #include "kernel/construction.hpp"
 
 namespace blossom {
@@ -29,8 +31,9 @@ template <class R>
 Surface<typename R::Number> swung(const Curve<typename R::Number>& profile, const Curve<typename R::Number>& trajectory,
                                   const typename R::Number& scale, R& rec) {
   const auto a = rec.input("a"_v, scale);
+  auto plane = construct::given(rec, profile, -1, "U"_v, "P"_v);
   const auto T = construct::given(rec, trajectory, -1, "V"_v, "T"_v);
-  const auto P = construct::given_upright(rec, profile, "U"_v, "P"_v, "G"_v);
+  const auto P = construct::stand_up(rec, std::move(plane), "G"_v);
   construct::Net<R> net(P.P.size(), T.P.size());
   for (int i = 0; i < net.rows; ++i) {
     auto row = rec.phase({"row", i});

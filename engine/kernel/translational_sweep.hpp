@@ -6,6 +6,8 @@
 // so that every isoparametric curve is the profile, or the trajectory, moved. The net is the sum of control points, and
 // the weights are multiplied; in homogeneous coordinates Q[i][j] = (Tw P + Pw T, Pw Tw).
 
+#include <utility>
+
 #include "kernel/construction.hpp"
 
 namespace blossom {
@@ -25,8 +27,9 @@ struct MoveAlong {
 template <class R>
 Surface<typename R::Number> translational_sweep(const Curve<typename R::Number>& profile,
                                                 const Curve<typename R::Number>& trajectory, R& rec) {
+  auto plane = construct::given(rec, profile, -1, "U"_v, "P"_v);
   const auto T = construct::given(rec, trajectory, -1, "V"_v, "T"_v);
-  const auto P = construct::given_upright(rec, profile, "U"_v, "P"_v, "G"_v);
+  const auto P = construct::stand_up(rec, std::move(plane), "G"_v);
   construct::Net<R> net(P.P.size(), T.P.size());
   for (int j = 0; j < net.columns; ++j) {
     auto column = rec.phase({"column", j});

@@ -8,7 +8,20 @@
 
 namespace blossom {
 
-enum class FileKind { lesson, exercise, assignment, answers, grade, result, trace, curve, surface, scene, schema, unknown };
+enum class FileKind {
+  lesson,
+  exercise,
+  assignment,
+  answers,
+  grade,
+  result,
+  trace,
+  curve,
+  surface,
+  scene,
+  schema,
+  unknown
+};
 
 // By its "schema" (of any version: the reader of that kind says which it knows), or by the keys that only one kind has.
 // A JSON Schema, which is about such files, says so in "$schema" (https://json-schema.org/...).

@@ -40,7 +40,8 @@ const Action* action_for_key(const Player& player, std::string_view key) {
 
 bool perform(Player& player, std::string_view id) {
   const Action* action = find_action(id);
-  if (action == nullptr || !is_here(player, *action) || (action->enabled != nullptr && !action->enabled(player))) return false;
+  if (action == nullptr || !is_here(player, *action) || (action->enabled != nullptr && !action->enabled(player)))
+    return false;
   action->run(player);
   return true;
 }

@@ -495,8 +495,8 @@ void Player::keep() {
   }
   if (studio_) scene_kept_ = studio_->version();
   if (studio_ && studio_->unsaved())
-    note(write_autosave(options_.places, {scene_autosave_, studio_->file(), studio_->title(),
-                                          write_scene(studio_->workspace()), 0}));
+    note(write_autosave(options_.places,
+                        {scene_autosave_, studio_->file(), studio_->title(), write_scene(studio_->workspace()), 0}));
   else
     discard({scene_autosave_, {}, {}, {}, 0});
   if (!wrong.empty() && notice_.empty()) notice("What should be remembered could not be written: " + wrong[0].message);

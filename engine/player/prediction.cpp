@@ -378,10 +378,13 @@ class Choice {
   }
   bool can_be_asked(ValueId v) const {
     if (trace_.is_input(v)) return false;
+    if (trace_.value(v).kind == ValueKind::scalar && is_rounding(trace_.numbers(v)[0])) return false;
     if (trace_.value(v).kind != ValueKind::point || !trace_.rational) return true;
     const auto P = trace_.numbers(v);  // a weight that is 0 but for rounding counts as 0
     return std::abs(P[3]) > 1e-12 * std::max({1.0, std::abs(P[0]), std::abs(P[1]), std::abs(P[2])});
   }
+  // 0 but for rounding: nobody can tell its digits, nor which tolerance suits it.
+  static bool is_rounding(double x) { return x != 0 && std::abs(x) < 1e-12; }
   static std::string absolute(double amount, double largest) {
     if (largest > 0) amount = std::min(amount, share_of_largest * largest);
     return "{\"absolute\": " + format_number(amount) + "}";

@@ -4,13 +4,13 @@
 //   size 1280 720 [2]           the window in units, and how many pixels a unit has
 //   open lessons/05-de-boor.json
 //   key Right | key Ctrl+Z | key ?
-//   type 2/5                    text into what has the focus
+//   type 2/5                    text into what has the focus; OUT/NAME is a file in the folder of the pictures
 //   focus NAME                  the keyboard's focus to a named thing
 //   move NAME                   the mouse onto a named thing
 //   click NAME [right|double|shift|ctrl]
 //   drag NAME to NAME | drag NAME by 40 -25     in units; either with [shift|ctrl|alt|right|middle] behind it
 //   wheel NAME -3
-//   drop FILE                   as by drag and drop
+//   drop FILE                   as by drag and drop; OUT/NAME as above
 //   wait 0.5                    seconds pass, frame by frame
 //   shot NAME                   OUT/NAME.png of the window as it is
 //   state NAME                  OUT/NAME.json: the player's state, as expect sees it

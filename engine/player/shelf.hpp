@@ -37,7 +37,7 @@ class Shelf {
   Shelf& operator=(const Shelf&) = delete;
 
   std::vector<std::shared_ptr<const ShelfItem>> items() const;  // those loaded so far, lessons first, by file name
-  std::vector<ShelfScene> scenes() const;                               // by file name
+  std::vector<ShelfScene> scenes() const;                       // by file name
   Diagnostics diagnostics() const;                              // of files that are damaged
   bool done() const;
   std::uint64_t version() const;  // grows with every file and at the end: whether to draw anew

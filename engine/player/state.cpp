@@ -32,8 +32,7 @@ std::string joined(const std::vector<std::uint32_t>& numbers) {
 std::string dialog_name(Dialog dialog) {
   static constexpr const char* names[] = {"none",     "open",       "save_lesson", "save_picture", "save_answers",
                                           "settings", "shortcuts",  "palette",     "go_to",        "recover",
-                                          "unsaved",  "save_scene", "step_with",
-                                          "import_file", "export_file"};
+                                          "unsaved",  "save_scene", "step_with",   "import_file",  "export_file"};
   return names[static_cast<std::size_t>(dialog)];
 }
 

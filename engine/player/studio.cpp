@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "studio/seams.hpp"
+
 namespace blossom {
 
 namespace fs = std::filesystem;
@@ -96,6 +98,7 @@ bool Studio::edit(Worked edited, const std::string& what, const std::string& ges
   }
   problems_.clear();
   const auto names = names_of(workspace());
+  if (keep_smooth && current()) edited = seams_kept(workspace(), std::move(*edited), *current(), !gesture.empty());
   history_.push(std::move(*edited), what, gesture);
   take_in(names);
   return true;

@@ -80,6 +80,8 @@ class Studio {
   bool move_by(const Point<Exact>& by, const std::string& gesture = {});
   // The same by a tenth of the grid, along the axis that runs most along a direction of the view.
   bool nudge(const glm::dvec3& right_up_toward);
+  // Borders that two curves or surfaces share stay C1 where they are, whichever is edited (see studio/seams.hpp).
+  bool keep_smooth = false;
   // Of the current thing or (for_all) of all of its kind.
   bool show(Show, bool on);
   bool for_all = false;

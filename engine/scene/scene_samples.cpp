@@ -121,6 +121,7 @@ SceneSamples::SceneSamples(const StepSource& source) : source_(&source) {
   find_places();
   for_each_place([&](const glm::dvec3& at) { bounds.add(at); });
   if (bounds.empty()) bounds.add({0, 0, 0});
+  find_arrows();
 }
 
 void SceneSamples::add_curve(const Curve<double>& curve, int steps, std::vector<std::vector<glm::dvec3>>& pieces) {

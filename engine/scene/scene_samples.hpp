@@ -20,6 +20,14 @@ struct Drawable {
   Role role = Role::earlier;
 };
 
+// A vector where it stands, shortened by a factor of which all of its kind have the same.
+struct StandingArrow {
+  ValueId value = 0;
+  glm::dvec3 foot, along;
+  double scale = 1;
+  std::uint32_t born = 0;  // step
+};
+
 struct SurfaceSamples {
   Mesh mesh;  // empty where the surface has a pole
   std::vector<std::vector<glm::dvec3>> isolines;
@@ -33,6 +41,7 @@ struct SceneSamples {
   std::vector<std::vector<glm::dvec3>> result;          // of resulting curves
   std::vector<std::vector<glm::dvec3>> given_isolines;  // of the input surfaces
   std::vector<Drawable> drawables;                      // ascending
+  std::vector<StandingArrow> arrows;                    // ascending
   Bounds bounds;                                        // of all points and curves
 
   explicit SceneSamples(const StepSource&);
@@ -46,6 +55,7 @@ struct SceneSamples {
   void add_curve(const Curve<double>&, int steps, std::vector<std::vector<glm::dvec3>>& pieces);
   void find_drawables();
   void find_places();
+  void find_arrows();
   Camera fitted_anew(double width, double height, const Camera& look) const;
 
   const StepSource* source_;

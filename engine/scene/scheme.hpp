@@ -41,8 +41,8 @@ struct Scheme {
 };
 
 // Of a phase that is an algorithm, or of the whole run (absent): the points or numbers that its algorithm's table puts
-// into the scheme; where the table puts none, the points of degree elevation. Column 0 are the points they come from, or
-// the number all others come from. No cells when there is no such value.
+// into the scheme; where the table puts none, the points of degree elevation. Column 0 are the points they come from,
+// or the number all others come from. No cells when there is no such value.
 Scheme make_scheme(const StepSource&, std::uint32_t phase);
 
 // The schemes of a run, each made when it is first asked for.

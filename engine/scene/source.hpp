@@ -20,7 +20,7 @@ struct StepSource {
   const Algorithm* algorithm = nullptr;
   int dimension = 2;
   bool rational = false;
-  std::vector<Curve<double>> curves;              // of the inputs, in the order of the inputs' names
+  std::vector<Curve<double>> curves;  // of the inputs, in the order of the inputs' names
   std::vector<Surface<double>> surfaces;
   std::optional<double> parameter;                // the input u, if there is one
   std::vector<std::optional<glm::dvec3>> points;  // of each value that is a point of its own and finite

@@ -66,8 +66,11 @@ void ViewportBuilder::find_shown() {
   const auto end = std::ranges::upper_bound(all, step_, {}, &Drawable::born);
   for (auto d = all.begin(); d != end; ++d) {
     if (!d->given && step_ >= d->gone && !read_now(d->value)) continue;
-    if (surface_done_ && (!in_net(*d) || d->phase != absent)) continue;
-    if (surface_done_ && !options_.surface_net && !made_now(d->value)) continue;
+    if (surface_done_ && !is_data(*d)) {
+      if (!in_net(*d) || d->phase != absent) continue;
+      if (!options_.surface_net && !made_now(d->value)) continue;
+    }
+    if (is_over(*d) && !read_now(d->value)) continue;
     shown_.push_back(&*d);
   }
   if (shown_.size() > most_points) thin_out();
@@ -113,7 +116,8 @@ void ViewportBuilder::add_rows_along(bool rows) {
   std::vector<Member> members;
   members.reserve(shown_.size());
   for (const Drawable* d : shown_) {
-    if (rows ? d->draw == ValueSpec::Draw::point : !in_net(*d)) continue;
+    if (rows ? d->draw == ValueSpec::Draw::point : d->draw != ValueSpec::Draw::net) continue;
+    if (surface_done_ && d->given) continue;  // the data of the surface: points beside its net
     const Name& name = graph_.value(d->value).name;
     const int row = name.arity == 2 ? name.index[0] : 0, column = name.arity > 0 ? name.index[name.arity - 1] : 0;
     members.push_back({d->phase, name.arity, name.symbol.packed, rows ? row : column, rows ? column : row, d});
@@ -149,7 +153,7 @@ void ViewportBuilder::add_points() {
     const Drawable& d = *shown_[i];
     const bool now = made_now(d.value), loud = now && single_, lit = options_.emphasis.lights(d.value);
     const glm::dvec3 at = place(d.value);
-    double size = surface_done_ && !loud ? 0.6 * size_ : size_;
+    double size = surface_done_ && !loud && !is_data(d) ? 0.6 * size_ : size_;
     if (now && !division_) size *= motion_;
     if (read_now(d.value) && single_ && !now)
       view_.markers.push_back(marker(at, Role::operand, 1.7 * size_, Marker::Shape::ring));
@@ -160,6 +164,21 @@ void ViewportBuilder::add_points() {
     view_.markers.push_back(marker(at, loud ? Role::current : role_of(d), size));
     if (lit && !options_.emphasis.quiet) add_ring(at, 1);
     add_name(d, i, new_count > most_labels());
+  }
+}
+
+void ViewportBuilder::add_arrows() {
+  for (const StandingArrow& a : samples_.arrows) {
+    if (a.born > step_) break;
+    const bool now = made_now(a.value), lit = options_.emphasis.lights(a.value);
+    const glm::dvec3 tip = a.foot + (now ? motion_ : 1) * a.along;
+    if (tip == a.foot) continue;
+    view_.polylines.push_back(arrow(a.foot, tip, lit ? Role::highlight : now ? Role::current : Role::level_a, 0.8));
+    if (!options_.labels && !lit) continue;
+    RichText name = typeset_name(graph_.value(a.value).name, source_.algorithm_at(graph_.value(a.value).step));
+    if (a.scale != 1) name.insert(name.begin(), {format_short(a.scale, 2) + " "});
+    view_.labels.push_back(
+        label_around(tip, std::move(name), now ? Role::text_current : Role::text, now ? 30 : 5, !now));
   }
 }
 

@@ -55,6 +55,7 @@ class ViewportBuilder {
     if (last_)
       for (const auto& piece : samples_.result) view_.polylines.push_back(line(piece, Role::curve_result, 1, true));
     add_points();
+    add_arrows();
     add_shares();
     add_lit_elsewhere();
     add_step();
@@ -69,6 +70,15 @@ class ViewportBuilder {
   }
   bool in_net(const Drawable& d) const {  // of the finished surface
     return d.draw == ValueSpec::Draw::net && !d.given;
+  }
+  // What a finished surface was fitted to: one looks at how near it comes.
+  bool is_data(const Drawable& d) const { return d.given && source_.algorithm->family == Family::fitting; }
+  // A level of a triangular scheme in one row (or column) of several that was finished before.
+  bool is_over(const Drawable& d) const {
+    if (d.draw != ValueSpec::Draw::level) return false;
+    std::uint32_t phase = d.phase;  // the scoped one is the row
+    while (phase != absent && !graph_.phases()[phase].scoped) phase = graph_.phases()[phase].parent;
+    return phase != absent && graph_.phases()[phase].last_step < step_;
   }
   // Where it is at this moment of the step.
   glm::dvec3 place(ValueId v) const {
@@ -88,6 +98,7 @@ class ViewportBuilder {
   void add_rows();
   void add_rows_along(bool rows);
   void add_points();
+  void add_arrows();
   void add_name(const Drawable&, std::size_t position, bool many_new);
   std::size_t most_labels() const;
   bool hidden(ValueId) const;  // behind the finished surface

@@ -113,9 +113,9 @@ TEST_CASE("corners that do not meet are told with their places", "[coons]") {
   CHECK(message.find(
             "v_curves: must meet the curves along u: number 1 is at (6, 6, 1) for v = 1, but number 1 of u_curves "
             "is at (6, 6, 0) for u = 1") != std::string::npos);
-  CHECK(refusal("coons",
-                replaced(bowl, R"("v_curves":
-    [)", R"("v_curves": [{"degree": 1, "points": [[0, 0], [1, 1]]}, )"))
+  CHECK(refusal("coons", replaced(bowl, R"("v_curves":
+    [)",
+                                  R"("v_curves": [{"degree": 1, "points": [[0, 0], [1, 1]]}, )"))
             .find("v_curves: must be two curves, not 3") != std::string::npos);
 }
 

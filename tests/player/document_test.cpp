@@ -108,9 +108,15 @@ TEST_CASE("a file of inputs is opened for the algorithm that is named") {
   REQUIRE(document);
   CHECK(document->kind == Document::Kind::inputs);
   CHECK(document->inputs.integer("times") == 1);
+  std::string fitting;
+  for (const Algorithm* algorithm : algorithms())
+    if (algorithm->input("curve") != nullptr && algorithm->input("u") != nullptr)
+      fitting += (fitting.empty() ? "" : ", ") + std::string(algorithm->id);
+  CHECK_THAT(fitting, Catch::Contains("de_boor, de_casteljau"));
+  CHECK_THAT(fitting, !Catch::Contains("skinning"));
   CHECK(mistakes(inputs) ==
-        "file.json:1:1: is no lesson, exercise, trace or curve; to open it as inputs, say of which algorithm (de_boor, "
-        "de_casteljau, knot_insertion): --algorithm ID\n");
+        "file.json:1:1: is no lesson, exercise, trace or curve; to open it as inputs, say of which algorithm (" +
+            fitting + "): --algorithm ID\n");
   CHECK(mistakes(inputs, "de_bor") == "there is no algorithm \"de_bor\"; did you mean \"de_boor\"?\n");
   CHECK(mistakes(R"({"curve": )" + curve_text + R"(, "u": 4})", "de_boor") ==
         "file.json:2:53: u: must lie in the domain [0, 3], not at 4\n");

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "player/studio_state.hpp"
+#include "studio/seams.hpp"
 
 using namespace blossom;
 
@@ -246,4 +247,26 @@ TEST_CASE("a refused edit changes nothing and says why") {
   CHECK(studio.version() == version);
   CHECK(studio.refusals() == 1);
   CHECK_FALSE(studio.problems().empty());
+}
+
+TEST_CASE("kept smooth, the other part of a curve that was cut follows, in one state of the history") {
+  Studio studio;
+  REQUIRE(studio.add_curve(CurveKind::bezier, 3, 2, {at(0, 0), at(1, 2), at(3, 2), at(4, 0)}));
+  REQUIRE(studio.apply(*find_algorithm("subdivision")));
+  REQUIRE(studio.workspace().objects.size() == 3);
+  const auto smooth = [&] {
+    const auto& objects = studio.workspace().objects;
+    return share_smooth_border(objects[1].geometry, objects[2].geometry);
+  };
+  REQUIRE(smooth());
+  studio.select({{1, 3}});  // the border
+  REQUIRE(studio.move_by({Exact(0), Exact(1), Exact(0)}));
+  CHECK_FALSE(smooth());
+  REQUIRE(studio.undo());
+  studio.keep_smooth = true;
+  studio.select({{1, 3}});
+  const std::size_t states = studio.history().size();
+  REQUIRE(studio.move_by({Exact(0), Exact(1), Exact(0)}));
+  CHECK(smooth());
+  CHECK(studio.history().size() == states);  // the undone one is replaced
 }

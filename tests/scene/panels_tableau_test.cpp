@@ -61,6 +61,21 @@ TEST_CASE("A step's scheme is that of the part it is in, with the points it star
   CHECK(nested > 60);
 }
 
+TEST_CASE("The basis functions are a triangle of numbers, which begins with the one of degree 0") {
+  const auto lesson = prepare<Exact>("basis-functions");  // degree 2, k = 4
+  Sheet sheet;
+  add_tableau(sheet, lesson->source, lesson->step_count() - 1, {}, 0, 0, scrolled);
+  CHECK(sheet.spots.size() == 6);
+  const auto& tip = *spot_named(sheet, "N[4][0]");
+  for (const char* name : {"N[3][1]", "N[4][1]", "N[2][2]", "N[3][2]", "N[4][2]"}) {
+    REQUIRE(spot_named(sheet, name) != nullptr);
+    CHECK(tip.x + tip.width < spot_named(sheet, name)->x);
+  }
+  CHECK(spot_named(sheet, "N[3][1]")->y < tip.y);
+  CHECK(spot_named(sheet, "N[4][1]")->y > tip.y);
+  CHECK(spot_named(sheet, "N[3][2]")->y == Approx(tip.y));
+}
+
 TEST_CASE("Inside skinning, elevation and knot insertion show their own schemes") {
   const auto lesson = prepare<Exact>("skinning");
   const auto& trace = lesson->run.trace;

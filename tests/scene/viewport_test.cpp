@@ -43,6 +43,15 @@ std::optional<ValueId> single_point(const StepSource& source, std::uint32_t step
   return main;
 }
 
+// A level of a triangular scheme that was computed in a row or column which is finished: the next row is looked at.
+bool is_over(const StepSource& source, ValueId v, std::uint32_t step) {
+  const TraceGraph& graph = *source.graph;
+  if (source.spec(v)->draw != ValueSpec::Draw::level) return false;
+  std::uint32_t phase = graph.phase_of(v);
+  while (phase != absent && !graph.phases()[phase].scoped) phase = graph.phases()[phase].parent;
+  return phase != absent && graph.phases()[phase].last_step < step;
+}
+
 struct Division {  // M divides the segment from A to B
   glm::dvec3 A, B, M;
   Exact share;  // of the part from A to M in the whole
@@ -90,7 +99,8 @@ TEST_CASE("Every point that is alive is on the picture") {
     if (!view.meshes.empty()) return;  // a finished surface stands alone with its net
     const auto& graph = *lesson.source.graph;
     for (ValueId v = 0; v < graph.value_count() && graph.value(v).step <= step; ++v) {
-      if (!graph.alive(v, step) || !is_drawn(lesson.source, v) || has_marker(view, *lesson.source.points[v])) continue;
+      if (!graph.alive(v, step) || !is_drawn(lesson.source, v) || is_over(lesson.source, v, step)) continue;
+      if (has_marker(view, *lesson.source.points[v])) continue;
       FAIL_CHECK(graph.name(v) << " is not drawn");
     }
   });
@@ -178,6 +188,58 @@ TEST_CASE("The shares written at a divided segment are those of its two parts") 
   };
   CHECK(share_at(expected->A, expected->M) == "4/5");
   CHECK(share_at(expected->M, expected->B) == "1/5");
+}
+
+TEST_CASE("A derivative is an arrow from its point, shortened by a factor that its name says") {
+  // The quarter circle by weights 1, 1, 2 at u = 0: C' = (0, 2), C'' = (-4, 0), from the point (1, 0).
+  const auto lesson = prepare("derivatives");
+  const View view = lesson->scenes.viewport(lesson->step_count() - 1, 700, 500);
+  std::vector<Polyline> arrows;
+  std::ranges::copy_if(view.polylines, std::back_inserter(arrows), &Polyline::arrow);
+  REQUIRE(arrows.size() == 2);
+  const glm::dvec3 C{1, 0, 0};
+  for (const Polyline& arrow : arrows) CHECK(arrow.points.front() == C);
+  const double scale = arrows[0].points.back().y / 2;
+  CHECK(scale > 0);
+  CHECK(glm::length(arrows[0].points.back() - (C + scale * glm::dvec3(0, 2, 0))) < 1e-12);
+  CHECK(glm::length(arrows[1].points.back() - (C + scale * glm::dvec3(-4, 0, 0))) < 1e-12);
+  for (const Polyline& arrow : arrows)
+    CHECK(std::ranges::any_of(view.labels, [&](const Label& label) {
+      return label.anchor == arrow.points.back() && plain_text(label.text).starts_with(format_short(scale, 2));
+    }));
+}
+
+TEST_CASE("A finished surface that was fitted to points is seen with them") {
+  for (const char* id : {"a-surface-through-points", "a-surface-near-points"}) {
+    INFO(id);
+    const auto lesson = prepare(id);
+    const auto& trace = lesson->run.trace;
+    const View view = lesson->scenes.viewport(lesson->step_count() - 1, 700, 500);
+    REQUIRE(!view.meshes.empty());
+    int points = 0;
+    for (ValueId v = 0; v < trace.value_count(); ++v) {
+      if (!trace.is_input(v) || !lesson->source.points[v]) continue;
+      CHECK(has_marker(view, *lesson->source.points[v]));
+      ++points;
+    }
+    CHECK(points >= 12);
+  }
+}
+
+TEST_CASE("A given control net has lines along both of its directions") {
+  const auto lesson = prepare("point-on-a-surface");
+  const auto& trace = lesson->run.trace;
+  const View view = lesson->scenes.viewport(0, 700, 500);
+  const auto P = [&](const char* name) { return *lesson->source.points[*trace.find(name)]; };
+  const auto joined = [&](const glm::dvec3& a, const glm::dvec3& b) {
+    return std::ranges::any_of(view.polylines, [&](const Polyline& line) {
+      for (std::size_t i = 1; i < line.points.size(); ++i)
+        if (line.points[i - 1] == a && line.points[i] == b) return true;
+      return false;
+    });
+  };
+  CHECK(joined(P("P[0][0]"), P("P[0][1]")));
+  CHECK(joined(P("P[0][0]"), P("P[1][0]")));
 }
 
 TEST_CASE("A point beyond the segment is reached by a dashed line") {

@@ -134,8 +134,8 @@ std::vector<RightItem> right_items(const Ui& ui) {
   const bool lesson = ui.player().session() != nullptr, open = lesson || ui.player().in_studio();
   std::vector<RightItem> items;
   if (ui.player().stepping_from_studio())
-    items.push_back({button_width("Back to the studio"), 10,
-                     [](Ui& u) { u.action_button("studio.back", "Back to the studio"); }});
+    items.push_back(
+        {button_width("Back to the studio"), 10, [](Ui& u) { u.action_button("studio.back", "Back to the studio"); }});
   if (ui.player().in_studio())
     items.push_back({button_width("Step it"), 8, [](Ui& u) { u.action_button("studio.step", "Step it"); }});
   if (open && !ui.player().lost_work().empty())

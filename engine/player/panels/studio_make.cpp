@@ -1,5 +1,6 @@
 // How the current thing is made, and what can be made of what is chosen.
 #include <algorithm>
+#include <array>
 
 #include "algorithms/typeset.hpp"
 #include "player/action.hpp"
@@ -89,6 +90,32 @@ void draw_sources(Ui& ui, StudioFields& fields, const Studio& studio, const std:
   }
 }
 
+// Points that are given in numbers, such as an axis: a row of fields each, as long as they are few.
+constexpr std::size_t few = 6;
+
+void draw_points(Ui& ui, StudioFields& fields, std::size_t object, const std::string& name,
+                 const PointRow<Exact>& row) {
+  const auto axes = static_cast<float>(row.dimension);
+  const float width = std::clamp(ImGui::GetContentRegionAvail().x / axes - ui.px(4), ui.px(44), ui.px(90));
+  for (std::size_t i = 0; i < row.points.size(); ++i) {
+    const HPoint<Exact>& P = row.points[i];
+    const std::array<Exact, 3> xyz{P.x, P.y, P.z};
+    for (int k = 0; k < row.dimension; ++k) {
+      if (k > 0) ImGui::SameLine(0, ui.px(4));
+      static constexpr std::array<const char*, 3> letters = {"x", "y", "z"};
+      const auto axis = static_cast<std::size_t>(k);
+      fields.number({name + "[" + std::to_string(i) + "][" + std::to_string(k) + "]",
+                     name + " " + std::to_string(i) + " " + letters[axis], xyz[axis], NumberStyle::coordinate, width},
+                    [=](const Workspace& w, const Exact& x) {
+                      PointRow<Exact> next = row;
+                      HPoint<Exact>& at = next.points[i];
+                      (axis == 0 ? at.x : axis == 1 ? at.y : at.z) = x;
+                      return setting(object, name, InputValue<Exact>(next))(w);
+                    });
+    }
+  }
+}
+
 void draw_input(Ui& ui, StudioFields& fields, const Studio& studio, const Recipe& recipe, const InputSpec& spec,
                 float left) {
   const std::size_t object = *studio.current();
@@ -121,11 +148,23 @@ void draw_input(Ui& ui, StudioFields& fields, const Studio& studio, const Recipe
       const auto at = static_cast<std::size_t>(std::ranges::find(choices, *choice) - choices.begin());
       if (const auto to = combo(ui, "make " + name, choices, at, ui.px(170)))
         fields.send(name, words(name) + " " + choices[*to], setting(object, name, InputValue<Exact>(choices[*to])));
+    } else if (const auto* row = std::get_if<PointRow<Exact>>(&*value);
+               row != nullptr && !row->points.empty() && row->points.size() <= few) {
+      draw_points(ui, fields, object, name, *row);
+    } else if (const auto* numbers = std::get_if<std::vector<Exact>>(&*value)) {
+      std::string text;
+      for (const Exact& x : *numbers) text += (text.empty() ? "" : ", ") + number_text(x);
+      if (text.empty()) text = "as usual";
+      ImGui::AlignTextToFramePadding();
+      ImGui::TextDisabled("%s", shortened(text, std::max(ImGui::GetContentRegionAvail().x, ui.px(60))).c_str());
     } else {
-      const std::string text = write_input<Exact>(*value);
+      std::string text = write_input<Exact>(*value);
+      std::erase(text, '"');
+      ImGui::AlignTextToFramePadding();
       ImGui::TextDisabled("%s", shortened(text, std::max(ImGui::GetContentRegionAvail().x, ui.px(60))).c_str());
     }
   } else {
+    ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("as given");
   }
   ImGui::EndGroup();

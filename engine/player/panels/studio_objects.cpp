@@ -103,6 +103,12 @@ void draw_row(Ui& ui, const Studio& studio, std::size_t i) {
       send_studio(ui, [i, also = ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl](Studio& s) { s.choose(i, also); });
   }
   ui.thing("objects " + object.name);
+  if (current) {  // the list follows what is made current elsewhere
+    static std::string followed;
+    const std::string now = studio.title() + "/" + object.name;
+    if (followed != now && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+    followed = now;
+  }
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = at.y + (side - ImGui::GetTextLineHeight()) / 2;

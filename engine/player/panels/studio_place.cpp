@@ -21,15 +21,39 @@ Pending& pending() {
 
 constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
 
+// Both tables stand below each other, so their columns do as well.
+struct Columns {
+  float left = 0, width = 0, step = 0;
+};
+
+Columns columns_for(const Ui& ui, float room) {
+  Columns columns;
+  columns.left = ImGui::GetCursorPosX() +
+                 std::max(ImGui::CalcTextSize("Scale by").x, ImGui::CalcTextSize("Turn by \u00b0").x) + ui.px(12);
+  columns.width = std::clamp((room - columns.left) / 3 - ui.px(4), ui.px(44), ui.px(90));
+  columns.step = columns.width + ui.px(4);
+  return columns;
+}
+
+// The names of the axes above their columns, on the line of what was written last.
+void draw_axes(const Ui& ui, const Columns& columns) {
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.ink(Role::text_quiet));
+  for (int axis = 0; axis < 3; ++axis) {
+    ImGui::SameLine(columns.left + static_cast<float>(axis) * columns.step + ImGui::GetStyle().FramePadding.x, 0);
+    ImGui::TextUnformatted(axes[static_cast<std::size_t>(axis)]);
+  }
+  ImGui::PopStyleColor();
+}
+
 // A row of three number fields that are only kept here.
-void draw_pending(Ui& ui, const char* label, const std::string& name, Point<Exact>& value, float left, float width) {
+void draw_pending(Ui& ui, const char* label, const std::string& name, Point<Exact>& value, const Columns& columns) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(label);
   for (int axis = 0; axis < 3; ++axis) {
-    ImGui::SameLine(left + static_cast<float>(axis) * (width + ui.px(4)), 0);
+    ImGui::SameLine(columns.left + static_cast<float>(axis) * columns.step, 0);
     std::array<char, 128> buffer{};
     number_text(value[axis], NumberStyle::coordinate).copy(buffer.data(), buffer.size() - 1);
-    ImGui::SetNextItemWidth(width);
+    ImGui::SetNextItemWidth(columns.width);
     ImGui::PushID((name + axes[static_cast<std::size_t>(axis)]).c_str());
     ImGui::InputText("##field", buffer.data(), buffer.size(), ImGuiInputTextFlags_AutoSelectAll);
     const std::string thing = "place " + name + " " + axes[static_cast<std::size_t>(axis)];
@@ -55,11 +79,12 @@ void draw_chosen(Ui& ui, const Studio& studio, float room) {
   ui.heading(points > 0 ? (std::to_string(points) + (points == 1 ? " point" : " points")).c_str()
                         : (studio.chosen().size() > 1 ? (std::to_string(studio.chosen().size()) + " things").c_str()
                                                       : studio.object()->name.c_str()));
-  const float left = ImGui::GetCursorPosX() + ImGui::CalcTextSize("Scale by").x + ui.px(10);
-  const float width = std::clamp((room - left) / 3 - ui.px(4), ui.px(44), ui.px(90));
-  draw_pending(ui, "Move by", "move", state.place.move, left, width);
-  draw_pending(ui, "Turn by \u00b0", "turn", state.place.turn, left, width);
-  draw_pending(ui, "Scale by", "scale", state.place.scale, left, width);
+  const Columns columns = columns_for(ui, room);
+  ImGui::NewLine();
+  draw_axes(ui, columns);
+  draw_pending(ui, "Move by", "move", state.place.move, columns);
+  draw_pending(ui, "Turn by \u00b0", "turn", state.place.turn, columns);
+  draw_pending(ui, "Scale by", "scale", state.place.scale, columns);
   ImGui::Checkbox("About the origin, not its middle", &state.about_origin);
   ui.thing("place about-origin");
   if (ui.button("Apply", "place apply", !state.place.is_identity()))
@@ -81,6 +106,13 @@ void draw_chosen(Ui& ui, const Studio& studio, float room) {
   quarter("y", 1);
   quarter("z", 2);
   ImGui::NewLine();
+  bool smooth = studio.keep_smooth;
+  if (ImGui::Checkbox("Keep shared borders smooth (C1)", &smooth)) ui.act("studio.smooth");
+  ui.thing("place smooth");
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip(
+        "Where two curves or surfaces meet with one tangent, such as the parts of one that was cut,\n"
+        "they go on doing so while a point of either is moved   K");
 }
 
 // One instance of what the current thing is made from.
@@ -90,16 +122,15 @@ void draw_instance(Ui& ui, StudioFields& fields, std::size_t object, const std::
   ImGui::PushID(path.c_str());
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted((std::to_string(which + 1) + ".  " + reference.object).c_str());
-  const float left = ImGui::GetCursorPosX() + ImGui::CalcTextSize("scale").x + ui.px(18);
-  const float width = std::clamp((room - left) / 3 - ui.px(4), ui.px(44), ui.px(90));
-  const auto row = [&](const char* label, Point<Exact> Placement::*part) {
+  const Columns columns = columns_for(ui, room);
+  const auto row = [&](const char* label, const char* title, Point<Exact> Placement::*part) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("   %s", label);
+    ImGui::TextDisabled("%s", title);
     for (int axis = 0; axis < 3; ++axis) {
-      ImGui::SameLine(left + static_cast<float>(axis) * (width + ui.px(4)), 0);
+      ImGui::SameLine(columns.left + static_cast<float>(axis) * columns.step, 0);
       const std::string name = std::to_string(which + 1) + " " + label + " " + axes[static_cast<std::size_t>(axis)];
       fields.number({path + "." + label + "[" + std::to_string(axis) + "]", name, (reference.place.*part)[axis],
-                     NumberStyle::coordinate, width},
+                     NumberStyle::coordinate, columns.width},
                     [=](const Workspace& w, const Exact& x) -> Worked {
                       const auto* recipe =
                           object < w.objects.size() && w.objects[object].recipe ? &*w.objects[object].recipe : nullptr;
@@ -116,9 +147,9 @@ void draw_instance(Ui& ui, StudioFields& fields, std::size_t object, const std::
     }
     fields.say();
   };
-  row("move", &Placement::move);
-  row("turn", &Placement::turn);
-  row("scale", &Placement::scale);
+  row("move", "Move by", &Placement::move);
+  row("turn", "Turn by \u00b0", &Placement::turn);
+  row("scale", "Scale by", &Placement::scale);
   ImGui::PopID();
 }
 

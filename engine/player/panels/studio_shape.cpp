@@ -42,6 +42,15 @@ void label(const char* text) {
   ImGui::SameLine();
 }
 
+// Goes on beside the last item if this label and a stepper fit there, as they do not with large text.
+void beside_if_fits(const Ui& ui, const char* text) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float stepper = 2 * ImGui::GetFrameHeight() + ui.px(36 + 2 * 3);
+  const float needed = style.ItemSpacing.x + ImGui::CalcTextSize(text).x + style.ItemSpacing.x + stepper;
+  const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  if (ImGui::GetItemRectMax().x + needed <= end) ImGui::SameLine();
+}
+
 // ---- a table of points ----------------------------------------------------------------------------------------------
 
 struct Table {
@@ -60,7 +69,7 @@ Table table_for(const Ui& ui, int dimension, bool weights, std::size_t widest_in
   const int numbers = dimension + (weights ? 1 : 0);
   const float rest = room - table.name - static_cast<float>(buttons) * (table.button + table.gap) -
                      static_cast<float>(numbers + 1) * table.gap;
-  table.number = std::clamp(std::floor(rest / static_cast<float>(numbers)), ui.px(44), ui.px(120));
+  table.number = std::clamp(std::floor(rest / static_cast<float>(numbers)), ui.px(42), ui.px(120));
   return table;
 }
 
@@ -88,7 +97,10 @@ void draw_point(Ui& ui, StudioFields& fields, const Studio& studio, const Table&
   const PointRef ref{object, i};
   const bool selected = std::ranges::find(studio.selected(), ref) != studio.selected().end();
   const float left = ImGui::GetCursorPosX();
-  if (ImGui::Selectable(shown.c_str(), selected, 0, {table.name, ImGui::GetFrameHeight()}))
+  ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0, 0.5f});
+  const bool pressed = ImGui::Selectable(shown.c_str(), selected, 0, {table.name, ImGui::GetFrameHeight()});
+  ImGui::PopStyleVar();
+  if (pressed)
     send_studio(ui,
                 [ref, also = ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl](Studio& s) { s.select({ref}, also); });
   ui.thing("shape " + name);
@@ -134,9 +146,13 @@ void clipped(std::size_t count, const Row& row) {
   if (last < n) ImGui::Dummy({1, static_cast<float>(n - last) * height - ImGui::GetStyle().ItemSpacing.y});
 }
 
-// The weight of the selected point, between none and ten times; its logarithm is what one feels.
+// The weight of the selected point, from 0 to 20, small ones spread. Its line is there before a point is selected, or
+// the table would move away from under the mouse.
 void draw_weight_slider(Ui& ui, const Studio& studio) {
-  if (studio.selected().size() != 1 || studio.selected().front().object != *studio.current()) return;
+  if (studio.selected().size() != 1 || studio.selected().front().object != *studio.current()) {
+    ImGui::AlignTextToFramePadding();
+    return ImGui::TextDisabled("Weight: choose a point first");
+  }
   const PointRef ref = studio.selected().front();
   const double w = homogeneous(studio.object()->geometry, ref.point).w.to_double();
   label("Weight");
@@ -184,7 +200,7 @@ void draw_curve(Ui& ui, StudioFields& fields, const Studio& studio, const Curve<
     fields.send(path_of(object, "kind"), "kind " + kind_titles()[*to],
                 changing<Curve<Exact>>(
                     object, [kind = kinds[*to]](Curve<Exact> c) { return edit::set_kind(std::move(c), kind); }));
-  ImGui::SameLine();
+  beside_if_fits(ui, "Degree");
   label("Degree");
   const int most = curve.bezier ? max_degree : std::min(max_degree, curve.n());
   if (const auto degree = draw_stepper(ui, "shape degree", curve.degree, 1, most))
@@ -235,6 +251,7 @@ void draw_curve(Ui& ui, StudioFields& fields, const Studio& studio, const Curve<
   ImGui::PopStyleVar();
   fields.say();
   if (curve.bezier) return;
+  ImGui::Dummy({0, ui.px(2)});
   ui.heading("Knots");
   draw_knots(ui, fields, curve.knots, path_of(object, "knots"), "knot", room, [object](std::size_t i) {
     return [object, i](const Workspace& w, const Exact& u) {
@@ -265,17 +282,23 @@ void draw_surface(Ui& ui, StudioFields& fields, const Studio& studio, const Surf
                   changing<Surface<Exact>>(object, [=, d = *degree](Surface<Exact> s) {
                     return edit::set_degree(std::move(s), direction, d);
                   }));
-    ImGui::SameLine();
     const char* line = direction == 0 ? "rows" : "columns";
+    beside_if_fits(ui, line);
     label(line);
     if (const auto to = draw_stepper(ui, std::string("shape ") + line, count, 2, 100)) {
-      const bool more = *to > count;
-      fields.send(path_of(object, line), std::string(line) + " " + std::to_string(*to),
+      const int wanted = std::clamp(*to, 2, 100);
+      const bool more = wanted > count;
+      fields.send(path_of(object, line), std::string(line) + " " + std::to_string(wanted),
                   changing<Surface<Exact>>(object, [=](Surface<Exact> s) {
-                    const int at = direction == 0 ? row : (direction == 0 ? s.rows : s.columns) / 2 - 1;
-                    const int last = (direction == 0 ? s.rows : s.columns) - 1;
-                    return more ? edit::insert_row(std::move(s), direction, std::min(at, last - 1))
-                                : edit::delete_row(std::move(s), direction, std::min(std::max(at, 0), last));
+                    Checked<Surface<Exact>> next(std::move(s));
+                    for (int step = 0; next && step < std::abs(wanted - count); ++step) {
+                      const int lines = direction == 0 ? next->rows : next->columns;
+                      const int at = direction == 0 ? row : lines / 2 - 1;
+                      // Several are spread, or they would share one span of the knots.
+                      next = more ? edit::insert_row(std::move(*next), direction, (at + 2 * step) % (lines - 1))
+                                  : edit::delete_row(std::move(*next), direction, std::clamp(at, 0, lines - 1));
+                    }
+                    return next;
                   }));
     }
   }
@@ -299,6 +322,7 @@ void draw_surface(Ui& ui, StudioFields& fields, const Studio& studio, const Surf
   if (surface.bezier) return;
   for (const int direction : {0, 1}) {
     const std::string which = direction == 0 ? "u" : "v";
+    ImGui::Dummy({0, ui.px(2)});
     ui.heading(("Knots in " + which).c_str());
     draw_knots(ui, fields, surface.knots[static_cast<std::size_t>(direction)],
                path_of(object, "knots[" + std::to_string(direction) + "]"), "knot " + which, room, [=](std::size_t i) {
@@ -337,7 +361,11 @@ void draw(Ui& ui) {
     ImGui::PopID();
   }
   const Geometry& geometry = studio.object()->geometry;
-  if (studio.object()->recipe) ImGui::TextDisabled("Made by an algorithm: it is given from the first edit here on.");
+  if (studio.object()->recipe) {
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room);
+    ImGui::TextDisabled("Made by an algorithm: it is given from the first edit here on.");
+    ImGui::PopTextWrapPos();
+  }
   if (const auto* curve = std::get_if<Curve<Exact>>(&geometry)) draw_curve(ui, fields, studio, *curve, room);
   if (const auto* surface = std::get_if<Surface<Exact>>(&geometry)) draw_surface(ui, fields, studio, *surface, room);
   if (const auto* row = std::get_if<PointRow<Exact>>(&geometry)) {

@@ -1,5 +1,6 @@
 // What is drawn of the current thing, or of all of its kind; where on it one is.
 #include <algorithm>
+#include <numeric>
 
 #include "player/ui/panel.hpp"
 #include "player/ui/studio_fields.hpp"
@@ -45,22 +46,45 @@ void draw_running(Ui& ui, const Studio& studio) {
                   "The camera runs along the curve, as on a roller coaster   R"))
       send_studio(ui, [](Studio& s) { s.ride(!s.riding()); });
   }
-  ImGui::SameLine();
+  const float needed = ImGui::CalcTextSize("speed").x + ui.px(80) + 2 * ImGui::GetStyle().ItemSpacing.x;
+  const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  if (ImGui::GetItemRectMax().x + needed <= end)
+    ImGui::SameLine();
+  else
+    ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("speed");
   ImGui::SameLine();
   if (const auto to = share_slider(ui, "show speed", studio.speed, 0.1, 4, ui.px(80)))
     send_studio(ui, [to = *to](Studio& s) { s.speed = to; });
 }
 
+// As many columns as fit, each as wide as what stands in it.
+std::vector<float> columns_for(const Ui& ui, const std::vector<ShowName>& names, float room) {
+  const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x, gap = ui.px(14);
+  for (std::size_t count = 3; count > 1; --count) {
+    std::vector<float> widths(count, 0);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const float width = box + ImGui::CalcTextSize(std::string(names[i].title).c_str()).x;
+      widths[i % count] = std::max(widths[i % count], width + gap);
+    }
+    if (std::accumulate(widths.begin(), widths.end(), -gap) <= room) return widths;
+  }
+  return {room};
+}
+
 void draw_shows(Ui& ui, const Studio& studio, bool of_curve, float room) {
   const SceneObject& object = *studio.object();
-  const float column = ui.px(176);
-  const int columns = std::max(1, static_cast<int>(room / column));
-  int n = 0;
-  for (const ShowName& each : show_names()) {
-    if (!(of_curve ? each.of_curves : each.of_surfaces)) continue;
-    if (n % columns != 0) ImGui::SameLine(static_cast<float>(n % columns) * column + ImGui::GetStyle().WindowPadding.x);
-    ++n;
+  std::vector<ShowName> names;
+  for (const ShowName& each : show_names())
+    if (of_curve ? each.of_curves : each.of_surfaces) names.push_back(each);
+  const std::vector<float> columns = columns_for(ui, names, room);
+  const float left = ImGui::GetCursorPosX();
+  float x = left;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const ShowName& each = names[i];
+    const std::size_t column = i % columns.size();
+    x = column == 0 ? left : x + columns[column - 1];
+    if (column > 0) ImGui::SameLine(x, 0);
     bool on = object.shows[each.show];
     if (ImGui::Checkbox(std::string(each.title).c_str(), &on))
       send_studio(ui, [show = each.show, on](Studio& s) { s.show(show, on); });

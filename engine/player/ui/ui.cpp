@@ -107,7 +107,8 @@ void Ui::frame(double seconds, bool drawn) {
   const Session* about = player_->session();
   const Studio* studio = player_->studio();
   for (const auto& what : std::exchange(sent_, {})) {
-    if (player_->session() != about || player_->studio() != studio) break;  // the others were about what is open no more
+    if (player_->session() != about || player_->studio() != studio)
+      break;  // the others were about what is open no more
     what(*player_);
     player_->settle();
   }
@@ -188,12 +189,8 @@ void Ui::draw_panels() {
     return panel.height != nullptr ? panel.height(*this, at_width) : 200.0;
   };
   const double lower_share = player_->settings.lower_share;
-  LayoutWish wish{width(),
-                  height(),
-                  player_->settings.side_share,
-                  lower_share,
-                  !open,
-                  lower_share != Settings{}.lower_share};
+  LayoutWish wish{width(),     height(), player_->settings.side_share,
+                  lower_share, !open,    lower_share != Settings{}.lower_share};
   // What one fills in has more room than what one looks at.
   for (const Panel* panel : panels())
     if (!wish.lower_fixed && panel->slot == Slot::tabs && panel->id == player_->tab && panel->widgets)

@@ -292,10 +292,9 @@ Diagnostics play_in_window(const PlayerOptions& options, const Start& start, Fra
     glfwSwapBuffers(window);
     if (times != nullptr) times->presented(advancing, (*ui)->frame_parts(), clock.lap());
     events.show_cursor();
-    const std::string wanted =
-        player.session() != nullptr   ? player.session()->document().title() + " - Blossom"
-        : player.studio() != nullptr ? player.studio()->title() + " - Blossom"
-                                     : "Blossom";
+    const std::string wanted = player.session() != nullptr  ? player.session()->document().title() + " - Blossom"
+                               : player.studio() != nullptr ? player.studio()->title() + " - Blossom"
+                                                            : "Blossom";
     if (wanted != title) glfwSetWindowTitle(window, (title = wanted).c_str());
     if (glfwGetWindowAttrib(window, GLFW_MAXIMIZED) == GLFW_FALSE)
       glfwGetWindowSize(window, &player.settings.width, &player.settings.height);

@@ -245,6 +245,11 @@ class Driver {
            *is);
   }
 
+  // A file that the script itself has written or is to write: "OUT/points.csv" stands in its own folder.
+  std::string in_out(const std::string& text) const {
+    return text.starts_with("OUT/") ? (fs::absolute(out_) / text.substr(4)).string() : text;
+  }
+
   void follow(const std::string& verb, const std::vector<std::string>& words) {
     if (verb == "size") {
       const double scale = words.size() > 2 ? number(words[2]) : 1;
@@ -253,12 +258,12 @@ class Driver {
       ui_.resize(static_cast<int>(number(words[0]) * scale), static_cast<int>(number(words[1]) * scale), scale);
     } else if (verb == "open" || verb == "drop") {
       Event drop = event(Event::Kind::drop);
-      drop.text = words[0];
+      drop.text = in_out(words[0]);
       feed(drop);
     } else if (verb == "key") {
       key(words[0]);
     } else if (verb == "type") {
-      type(words[0]);
+      type(in_out(words[0]));
     } else if (verb == "focus") {
       ui_.focus_thing(words[0]);
       ui_.redraw();
