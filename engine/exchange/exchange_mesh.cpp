@@ -142,6 +142,7 @@ std::array<std::uint8_t, 3> rgb_of(int color) {
 }
 
 std::string decimal(double x, int digits) {
+  if (digits >= 17) return format_number(x);  // the shortest that reads back as the same double
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), "%.*g", std::clamp(digits, 1, 17), x);
   return text.data();

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double margin = 18, text_line = 19, legend_line = 21, swatch = 26, between = 20;
 constexpr double legend_size = 0.85, summary_size = 0.95;
-constexpr double map_width = 210;
 
 struct Meaning {
   Show show;
@@ -89,6 +88,17 @@ double add_items(View& view, const std::vector<Item>& items, double x, double y,
 
 }  // namespace
 
+std::optional<std::size_t> mapped_object(const Workspace& workspace, std::size_t current) {
+  const auto mapped = [](const SceneObject& object) {
+    return !object.hidden && object.map != SurfaceMap::none && object.shows[Show::faces] &&
+           std::holds_alternative<Surface<Exact>>(object.geometry);
+  };
+  const auto& all = workspace.objects;
+  if (current < all.size() && mapped(all[current])) return current;
+  const auto first = std::ranges::find_if(all, mapped);
+  return first == all.end() ? std::nullopt : std::optional(static_cast<std::size_t>(first - all.begin()));
+}
+
 Scene WorkspaceScenes::page(const Workspace& workspace, const WorkspaceLook& look, double width, double height) const {
   Scene scene;
   scene.width = width;
@@ -127,23 +137,16 @@ Scene WorkspaceScenes::page(const Workspace& workspace, const WorkspaceLook& loo
 
   Sheet drawn = view(workspace, width, std::max(bottom - top, 40.0), look);
   drawn.view.y = top;
-  // The legend of the map of the current thing, or else of the first that has one, over the picture.
-  const auto mapped = [](const SceneObject& object) {
-    return !object.hidden && object.map != SurfaceMap::none && object.shows[Show::faces] &&
-           std::holds_alternative<Surface<Exact>>(object.geometry);
-  };
-  auto shown = std::ranges::find_if(workspace.objects, mapped);
-  if (look.current < workspace.objects.size() && mapped(workspace.objects[look.current]))
-    shown = workspace.objects.begin() + static_cast<std::ptrdiff_t>(look.current);
+  const auto mapped = mapped_object(workspace, look.current);
   scene.views.push_back(std::move(text));
   scene.views.push_back(std::move(drawn.view));
-  if (shown != workspace.objects.end()) {
-    const auto index = static_cast<std::size_t>(shown - workspace.objects.begin());
+  if (mapped) {
     Sheet map;
-    const double high = add_map_legend(map, *shown, map_range(workspace, index, look), 10, 8, map_width);
+    const double high =
+        add_map_legend(map, workspace.objects[*mapped], map_range(workspace, *mapped, look), 10, 8, map_legend_width);
     map.view.x = margin;
     map.view.y = bottom - high - 22;
-    map.view.width = map_width + 20;
+    map.view.width = map_legend_width + 20;
     map.view.height = high + 12;
     parts::Box box{0, 0, map.view.width, map.view.height};
     // Beneath, in a view of its own: filled areas are painted over meshes.

@@ -57,6 +57,9 @@ class WorkspaceScenes {
 
 // The legend of a map: the band of colours with its numbers (from -range to range, see map_range), and what they mean.
 // Its height; 0 of a thing without a map.
+inline constexpr double map_legend_width = 210;
+// The thing whose map is explained: the current one if it has a map that is seen, otherwise the first that has.
+std::optional<std::size_t> mapped_object(const Workspace&, std::size_t current);
 double add_map_legend(Sheet&, const SceneObject&, double range, double x, double y, double width);
 
 // Plots over u, one below the other, with a mark at u: speed, curvature (signed in the plane), torsion (in space).

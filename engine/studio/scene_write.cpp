@@ -67,7 +67,7 @@ Json json_of(const Geometry& geometry) {
 Json degrees(double radians) {
   const long double exact = static_cast<long double>(radians) * 180 / std::numbers::pi_v<long double>;
   std::array<char, 64> text{};
-  for (int digits = 1; digits <= std::numeric_limits<long double>::max_digits10; ++digits) {
+  for (int digits = 4; digits <= std::numeric_limits<long double>::max_digits10; ++digits) {  // with fewer: 3e+01
     std::snprintf(text.data(), text.size(), "%.*Lg", digits, exact);
     if (const auto read = Exact::parse(text.data()); read && radians_of(*read) == radians) break;
   }

@@ -72,6 +72,27 @@ void draw_pane_name(const Ui& ui, StudioPane pane, ImVec2 origin, ImVec2 room) {
            names[static_cast<std::size_t>(pane)], Role::text_quiet, origin, high);
 }
 
+// What the colours of a surface mean, in the lower left corner where there is room for it.
+void draw_legend(Ui& ui, const WorkspaceLook& look, ImVec2 origin, ImVec2 room) {
+  const Studio& studio = *ui.player().studio();
+  const auto mapped = mapped_object(studio.workspace(), look.current);
+  if (!mapped || ui.units(room.x) < 1.6 * map_legend_width) return;
+  Sheet sheet;
+  const double high =
+      add_map_legend(sheet, studio.workspace().objects[*mapped],
+                     studio.scenes().map_range(studio.workspace(), *mapped, look), 10, 8, map_legend_width) +
+      12;
+  const double wide = map_legend_width + 20;
+  if (ui.units(room.y) < 2 * high) return;
+  const ImVec2 low{origin.x + ui.px(6), origin.y + room.y - ui.px(high + 6)};
+  ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + ui.px(wide), low.y + ui.px(high)},
+                                            ui.color(Role::panel, 0.92), ui.px(4));
+  sheet.view.width = wide;
+  sheet.view.height = high;
+  ImGui::SetCursorScreenPos(low);
+  ui.picture(std::move(sheet.view), wide, high, "view legend");
+}
+
 void draw_pane(Ui& ui, StudioPane pane, ImVec2 origin, ImVec2 room) {
   const Player& player = ui.player();
   const Studio& studio = *player.studio();
@@ -96,6 +117,7 @@ void draw_pane(Ui& ui, StudioPane pane, ImVec2 origin, ImVec2 room) {
   ImGui::SetCursorScreenPos(origin);
   ui.sheet("view", std::move(sheet), size.width, size.height, {.clickable = false});
   ui.thing("view " + std::string(pane_name(pane)), origin, {origin.x + room.x, origin.y + room.y});
+  if (pane == StudioPane::space) draw_legend(ui, look, origin, room);
   handle_pane_mouse(ui, on);
   draw_pane_words(ui, on);
 }
