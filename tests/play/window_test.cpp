@@ -168,6 +168,60 @@ shot undone
   CHECK(window.autosaves() == 0);
 }
 
+TEST_CASE("In the studio a real mouse drags a point, what is made of it follows, and real keys step it and come back") {
+  if (!Screen::possible()) return;
+  const Rehearsal rehearsal(R"(size 1280 720
+open lessons/scenes/vase.json
+move "menu Help"
+things opened
+shot opened
+key [
+expect current profile
+things profile
+shot profile
+drag "view profile P[1]" by 60 0
+expect undos 1
+move "menu Help"
+shot dragged
+key Ctrl+Z
+wait 6
+shot undone
+key ]
+key F8
+expect studio behind
+wait 6
+shot stepped
+key F8
+wait 6
+shot back
+)");
+  Screen screen(width, height);
+  Window window(screen, {"lessons/scenes/vase.json"});
+  const auto neutral = rehearsal.middle("opened", "menu Help");
+  screen.move(neutral.x, neutral.y);
+  window.check_shows(rehearsal.picture("opened"), "studio-opened");
+  screen.key("bracketleft");
+  window.check_shows(rehearsal.picture("profile"), "studio-profile");
+  const auto point = rehearsal.middle("profile", "view profile P[1]");
+  screen.move(point.x, point.y);
+  screen.press();
+  for (int i = 1; i <= 10; ++i) screen.move(point.x + 6 * i, point.y);
+  screen.release();
+  screen.move(neutral.x, neutral.y);
+  window.check_shows(rehearsal.picture("dragged"), "studio-dragged");
+  screen.key("ctrl+z");
+  window.check_shows(rehearsal.picture("undone"), "studio-undone");
+  screen.key("bracketright");
+  screen.key("F8");
+  window.check_shows(rehearsal.picture("stepped"), "studio-stepped");
+  screen.key("F8");
+  window.check_shows(rehearsal.picture("back"), "studio-back");
+  screen.key("ctrl+q");
+  INFO(window.program->error());
+  CHECK(window.program->end() == 0);
+  CHECK(window.program->error().empty());
+}
+
 TEST_CASE("The window does nothing while nothing happens") {
   if (!Screen::possible()) return;
   const Rehearsal rehearsal(
