@@ -10,6 +10,7 @@
 #include <numbers>
 #include <pugixml.hpp>
 
+#include "base/utf8.hpp"
 #include "exchange/exchange_mesh.hpp"
 #include "exchange/exchange_text.hpp"
 #include "geometry/document.hpp"
@@ -402,10 +403,13 @@ Checked<Imported> import(const std::string& name, std::string_view bytes) {
   pugi::xml_document document;
   const auto parsed = document.load_buffer(bytes.data(), bytes.size());
   const auto place = [&](std::ptrdiff_t offset) {
-    const auto before =
-        bytes.substr(0, std::min(bytes.size(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0))));
-    const auto line = static_cast<int>(std::ranges::count(before, '\n')) + 1;
-    return std::pair(line, static_cast<int>(before.size() - (before.rfind('\n') + 1)) + 1);
+    const auto at = std::min(bytes.size(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
+    const std::string_view before = bytes.substr(0, at);
+    const std::size_t begin = before.rfind('\n') + 1;  // 0 in the first line
+    const std::string_view line = bytes.substr(begin, bytes.find('\n', begin) - begin);
+    // Characters, of which the offset may be in the middle of one.
+    const std::size_t column = std::min(utf8_count(before.substr(begin)), utf8_count(line)) + 1;
+    return std::pair(static_cast<int>(std::ranges::count(before, '\n')) + 1, static_cast<int>(column));
   };
   if (!parsed) {
     const auto [line, column] = place(parsed.offset);
