@@ -116,6 +116,38 @@ void draw_points(Ui& ui, StudioFields& fields, std::size_t object, const std::st
   }
 }
 
+// One more of a row, one less; as far as the algorithm takes them.
+template <class Row, class More, class Fewer>
+void draw_count(Ui& ui, StudioFields& fields, std::size_t object, const InputSpec& spec, std::size_t count,
+                const Row& row, const More& more, const Fewer& fewer) {
+  const std::string name(spec.name);
+  const auto button = [&](const char* label, const char* what, bool can, const auto& change) {
+    if (!can) return;
+    if (count > 0 || what == std::string_view("less")) ImGui::SameLine(0, ui.px(3));
+    if (!ui.button(label, "make " + name + " " + what)) return;
+    Row next = row;
+    change(next);
+    fields.send(name, words(spec.name), setting(object, name, InputValue<Exact>(std::move(next))));
+  };
+  button("+", "more", count < static_cast<std::size_t>(spec.at_most) && count < few, more);
+  button("\u2212", "less", count > static_cast<std::size_t>(spec.at_least), fewer);
+}
+
+// Such as the knots of a refinement.
+void draw_numbers(Ui& ui, StudioFields& fields, std::size_t object, const std::string& name,
+                  const std::vector<Exact>& numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i % 4 != 0) ImGui::SameLine(0, ui.px(3));
+    fields.number({name + "[" + std::to_string(i) + "]", name + " " + std::to_string(i), numbers[i],
+                   NumberStyle::parameter, ui.px(60)},
+                  [=](const Workspace& w, const Exact& x) {
+                    auto next = numbers;
+                    next[i] = x;
+                    return setting(object, name, InputValue<Exact>(next))(w);
+                  });
+  }
+}
+
 void draw_input(Ui& ui, StudioFields& fields, const Studio& studio, const Recipe& recipe, const InputSpec& spec,
                 float left) {
   const std::size_t object = *studio.current();
@@ -148,15 +180,24 @@ void draw_input(Ui& ui, StudioFields& fields, const Studio& studio, const Recipe
       const auto at = static_cast<std::size_t>(std::ranges::find(choices, *choice) - choices.begin());
       if (const auto to = combo(ui, "make " + name, choices, at, ui.px(170)))
         fields.send(name, words(name) + " " + choices[*to], setting(object, name, InputValue<Exact>(choices[*to])));
-    } else if (const auto* row = std::get_if<PointRow<Exact>>(&*value);
-               row != nullptr && !row->points.empty() && row->points.size() <= few) {
+    } else if (const auto* row = std::get_if<PointRow<Exact>>(&*value); row != nullptr && row->points.size() <= few) {
       draw_points(ui, fields, object, name, *row);
-    } else if (const auto* numbers = std::get_if<std::vector<Exact>>(&*value)) {
-      std::string text;
-      for (const Exact& x : *numbers) text += (text.empty() ? "" : ", ") + number_text(x);
-      if (text.empty()) text = "as usual";
-      ImGui::AlignTextToFramePadding();
-      ImGui::TextDisabled("%s", shortened(text, std::max(ImGui::GetContentRegionAvail().x, ui.px(60))).c_str());
+      const auto* made = std::get_if<Curve<Exact>>(&studio.object()->geometry);
+      const int dimension = row->points.empty() ? (made != nullptr ? made->dimension : 3) : row->dimension;
+      draw_count(
+          ui, fields, object, spec, row->points.size(), *row,
+          [dimension](PointRow<Exact>& next) {
+            next.dimension = dimension;
+            next.points.emplace_back(1, 0, 0, 1);
+          },
+          [](PointRow<Exact>& next) { next.points.pop_back(); });
+    } else if (const auto* numbers = std::get_if<std::vector<Exact>>(&*value);
+               numbers != nullptr && numbers->size() <= few) {
+      draw_numbers(ui, fields, object, name, *numbers);
+      draw_count(
+          ui, fields, object, spec, numbers->size(), *numbers,
+          [at = studio.object()->u](std::vector<Exact>& next) { next.push_back(at); },
+          [](std::vector<Exact>& next) { next.pop_back(); });
     } else {
       std::string text = write_input<Exact>(*value);
       std::erase(text, '"');
