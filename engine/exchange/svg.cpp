@@ -15,6 +15,7 @@
 #include "exchange/exchange_text.hpp"
 #include "geometry/document.hpp"
 #include "kernel/bezier_extraction.hpp"
+#include "kernel/degree_elevation.hpp"
 
 namespace blossom {
 namespace {
@@ -355,25 +356,17 @@ Curve<Exact> joined(const PathReader::Piece& piece) {
   const auto homogeneous = [](const P2& at, const Exact& w) { return HPoint<Exact>(w * at.x, w * at.y, Exact(0), w); };
   curve.points.push_back(homogeneous(piece.start, Exact(1)));
   curve.knots.assign(p + 1, Exact(0));
+  NoRecorder<Exact> none;
   P2 from = piece.start;
   for (std::size_t k = 0; k < piece.segments.size(); ++k) {
     const Segment& segment = piece.segments[k];
-    std::vector<HPoint<Exact>> points{homogeneous(from, Exact(1))};
-    for (std::size_t i = 0; i < segment.points.size(); ++i)
-      points.push_back(homogeneous(segment.points[i], i + 1 < segment.points.size() ? segment.weight : Exact(1)));
-    while (points.size() < p + 1) {  // Q_i = i/(q+1) P_{i-1} + (1 - i/(q+1)) P_i
-      const auto q = static_cast<int>(points.size());
-      std::vector<HPoint<Exact>> raised{points.front()};
-      for (int i = 1; i < q; ++i) {
-        const Exact t = Exact::ratio(i, q);
-        const auto& A = points[static_cast<std::size_t>(i) - 1];
-        const auto& B = points[static_cast<std::size_t>(i)];
-        raised.emplace_back(t * A.x + (Exact(1) - t) * B.x, t * A.y + (Exact(1) - t) * B.y, Exact(0),
-                            t * A.w + (Exact(1) - t) * B.w);
-      }
-      raised.push_back(points.back());
-      points = std::move(raised);
-    }
+    const auto q = static_cast<int>(segment.points.size());
+    Curve<Exact> piece_of{q, bezier_knots<Exact>(q), {homogeneous(from, Exact(1))}, 2, rational, true};
+    for (int i = 0; i < q; ++i)
+      piece_of.points.push_back(
+          homogeneous(segment.points[static_cast<std::size_t>(i)], i + 1 < q ? segment.weight : Exact(1)));
+    const int times = curve.degree - q;
+    const auto points = times > 0 ? degree_elevation(piece_of, times, none).points : piece_of.points;
     curve.points.insert(curve.points.end(), points.begin() + 1, points.end());
     const bool last = k + 1 == piece.segments.size();
     curve.knots.insert(curve.knots.end(), last ? p + 1 : p, Exact(static_cast<std::int64_t>(k) + 1));
