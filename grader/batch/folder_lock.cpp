@@ -42,8 +42,11 @@ FolderLock::FolderLock(const fs::path& out, const fs::path& work) : out_(out), w
     try {
       make_folder(work_);
     } catch (const std::system_error& missing) {
-      // Somebody who finished removed `out` after it was found or made; but a link to nowhere is missing for ever.
-      if (missing.code() != std::errc::no_such_file_or_directory || attempt == most_attempts) throw;
+      // Somebody who finished removed a folder after it was found or made (then making it says that it is there, and
+      // it is not); but a link to nowhere is missing for ever, and a file in its place stays.
+      const bool gone = missing.code() == std::errc::no_such_file_or_directory ||
+                        (missing.code() == std::errc::file_exists && !fs::is_regular_file(work_, error));
+      if (!gone || attempt == most_attempts) throw;
       continue;
     }
     fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
