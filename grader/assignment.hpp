@@ -2,7 +2,7 @@
 // An assignment: exercises with points, a date, and what students get to see when.
 //
 //   {"schema": "blossom.assignment/1", "id", "title",
-//    "exercises": [{"file": "../exercises/05-de-boor.json", "points": 10}, ...],   points: else the exercise's own
+//    "exercises": [{"file": "../exercises/22-de-boor.json", "points": 10}, ...],   points: else the exercise's own
 //                  or {"exercise": the exercise itself, "points"?}
 //    "due"?: time, "late"?: {"grace_minutes"?: n, "per_day"?: share, "at_most_days"?: n},
 //    "attempts"?: "last" | "best" | "first",

@@ -45,7 +45,7 @@ Checked<Run<S>> record(const Subject& subject) {
   return diagnostics;
 }
 
-// "5", "05", "05-de-boor" and "de-boor" all find lessons/05-de-boor.json; also any file by its path.
+// "22", "22-de-boor" and "de-boor" all find lessons/22-de-boor.json; also any file by its path.
 Checked<std::filesystem::path> find_lesson(const std::string& given);
 
 // The folder of a kind of files ("lessons", "exercises"): in the working folder or the nearest one around the program.

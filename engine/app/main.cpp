@@ -12,7 +12,7 @@
 int main(int argc, char** argv) {
   CLI::App app(
       "Blossom steps through the algorithms of curves and surfaces: every value, where it comes from, and why.\n"
-      "Start with `blossom list`, then `blossom trace 01-de-casteljau` and `blossom play 01-de-casteljau`.",
+      "Start with `blossom list`, then `blossom trace 11-de-casteljau` and `blossom play 11-de-casteljau`.",
       "blossom");
   app.require_subcommand(1);
   app.set_version_flag("--version", BLOSSOM_VERSION);

@@ -2,7 +2,7 @@
 // Scripts for `blossom play --headless-script`: what a person would do, line by line.
 //
 //   size 1280 720 [2]           the window in units, and how many pixels a unit has
-//   open lessons/05-de-boor.json
+//   open lessons/22-de-boor.json
 //   key Right | key Ctrl+Z | key ?
 //   type 2/5                    text into what has the focus; OUT/NAME is a file in the folder of the pictures
 //   focus NAME                  the keyboard's focus to a named thing

@@ -20,11 +20,11 @@ namespace blossom {
 namespace {
 
 constexpr const char* manual = R"(Examples:
-  blossom-grade exercises/05-de-boor.json alice.json bob.json
+  blossom-grade exercises/22-de-boor.json alice.json bob.json
       A block for each student, and a table of scores.
-  blossom-grade exercises/05-de-boor.json answers/*.json --format json > grades.jsonl
+  blossom-grade exercises/22-de-boor.json answers/*.json --format json > grades.jsonl
       One JSON object per submission and line, in the order of the files.
-  cat answers.json | blossom-grade exercises/05-de-boor.json - --format json
+  cat answers.json | blossom-grade exercises/22-de-boor.json - --format json
       One submission from standard input.
   blossom-grade homework.json handed-in/s17 --student s17 --secret-file course.secret --format html --out s17.html
       All that one student handed in, from a folder; the numbers may be the student's own.

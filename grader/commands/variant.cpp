@@ -17,9 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* manual = R"(Examples:
-  blossom-grade variant exercises/15-own-de-casteljau.json --student s17 --secret-file course.secret
+  blossom-grade variant exercises/11-own-de-casteljau.json --student s17 --secret-file course.secret
       The exercise with the numbers of s17, on standard output.
-  blossom-grade variant exercises/15-own-de-casteljau.json --roster roster.csv --secret-file course.secret --out own
+  blossom-grade variant exercises/11-own-de-casteljau.json --roster roster.csv --secret-file course.secret --out own
       own/s17.json and so on, one file for each student, and own/sheet.html, a page for each to print; of a class above
       1000, own/sheet-1.html, own/sheet-2.html, ...
   ... --answers

@@ -14,7 +14,7 @@ using namespace blossom::test;
 namespace {
 
 const fs::path adapters = fs::path(BLOSSOM_SOURCE_DIR) / "grader/adapters";
-const fs::path exercise = fs::path(BLOSSOM_SOURCE_DIR) / "exercises/05-de-boor.json";
+const fs::path exercise = fs::path(BLOSSOM_SOURCE_DIR) / "exercises/22-de-boor.json";
 const fs::path demo = fs::path(BLOSSOM_SOURCE_DIR) / "exercises/demo-class";
 
 JsonDocument json_file(const fs::path& path) {

@@ -158,13 +158,13 @@ TEST_CASE("regrading after an exercise has changed says who, from what to what, 
   const Scratch scratch;
   CHECK(batch(demo + "submissions.jsonl", scratch / "old").status == 0);
   fs::create_directory(scratch / "course");
-  for (const auto* name : {"01-de-casteljau.json", "05-de-boor.json", "10-knot-insertion.json"})
+  for (const auto* name : {"11-de-casteljau.json", "22-de-boor.json", "28-knot-insertion.json"})
     fs::copy_file(fs::path("exercises") / name, scratch / name);
   fs::copy_file(demo + "course.json", scratch / "course/course.json");
-  std::string exercise = read_all("exercises/05-de-boor.json");
+  std::string exercise = read_all("exercises/22-de-boor.json");
   const std::string points = R"("value": "k", "points": 1)";
   exercise.replace(exercise.find(points), points.size(), R"("value": "k", "points": 3)");
-  scratch.write("05-de-boor.json", exercise);
+  scratch.write("22-de-boor.json", exercise);
   const auto ended = run_program("blossom-grade", {"regrade", scratch / "old", scratch / "course/course.json", "--out",
                                                    scratch / "new", "--now", "2026-10-10T00:00:00Z"});
   SHOW(ended);
@@ -211,7 +211,7 @@ long memory_of_class(std::size_t students) {
              "\n";
   std::vector<std::string> arguments{(fs::path(BLOSSOM_BIN_DIR) / "blossom-grade").string(),
                                      "batch",
-                                     "exercises/05-de-boor.json",
+                                     "exercises/22-de-boor.json",
                                      scratch.write("class.jsonl", lines),
                                      "--class-only",
                                      "--out",

@@ -55,10 +55,10 @@ TEST_CASE("Wrong usage is said on standard error, with status 2 and the way to t
       {{"trac"}, "did you mean \"trace\"?"},
       {{"trace"}, "LESSON"},
       {{"step"}, "LESSON"},
-      {{"trace", "01-de-casteljau", "--format", "xml"}, "xml"},
-      {{"trace", "01-de-casteljau", "--exakt"}, "--exakt"},
+      {{"trace", "11-de-casteljau", "--format", "xml"}, "xml"},
+      {{"trace", "11-de-casteljau", "--exakt"}, "--exakt"},
       {{"trace", "--algorithm", "de_boor"}, "--inputs"},
-      {{"trace", "01-de-casteljau", "--algorithm", "de_boor", "--inputs", "-"}, "excludes"},
+      {{"trace", "11-de-casteljau", "--algorithm", "de_boor", "--inputs", "-"}, "excludes"},
       {{"trace", "--algorithm", "de_booor", "--inputs", "-"}, "did you mean \"de_boor\"?"},
       {{"list", "too", "many"}, "too"}};
   for (const auto& [arguments, words] : cases) {
@@ -96,7 +96,7 @@ TEST_CASE("Output that cannot be written has status 3") {
     return;
   }
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"list"}, {"trace", "01-de-casteljau"}, {"lint", "lessons"}, {"--help"}}) {
+       {std::vector<std::string>{"list"}, {"trace", "11-de-casteljau"}, {"lint", "lessons"}, {"--help"}}) {
     const auto ended = blossom::test::blossom(arguments, {.output_to = "/dev/full"});
     SHOW(ended);
     INFO(arguments[0]);
@@ -123,12 +123,12 @@ TEST_CASE("list names every lesson and every algorithm") {
 
 TEST_CASE("list of a folder with a faulty lesson lists the others and names the fault") {
   const Scratch scratch;
-  fs::copy("lessons/01-de-casteljau.json", scratch / "01-de-casteljau.json");
+  fs::copy("lessons/11-de-casteljau.json", scratch / "11-de-casteljau.json");
   scratch.write("02-broken.json", "{\"schema\": \"blossom.lesson/1\",\n \"id\": \"x\"}");
   const auto ended = blossom::test::blossom({"list", "--lessons", scratch.path()});
   SHOW(ended);
   CHECK(ended.status == 1);
-  CHECK(contains(ended.out, "01-de-casteljau"));
+  CHECK(contains(ended.out, "11-de-casteljau"));
   CHECK(contains(ended.err, "02-broken.json:1:"));
   CHECK(blossom::test::blossom({"list", "--lessons", scratch / "none"}).status == 1);
 }
@@ -156,18 +156,18 @@ TEST_CASE("trace as text tells each step once, numbers filled in") {
 }
 
 TEST_CASE("A lesson is found by number, name, id or file") {
-  const auto by_file = blossom::test::blossom({"trace", "lessons/05-de-boor.json"});
+  const auto by_file = blossom::test::blossom({"trace", "lessons/22-de-boor.json"});
   REQUIRE(by_file.status == 0);
-  for (const std::string name : {"05", "05-de-boor", "de-boor"}) {
+  for (const std::string name : {"05", "22-de-boor", "de-boor"}) {
     const auto ended = blossom::test::blossom({"trace", name});
     SHOW(ended);
     CHECK(ended.status == 0);
     CHECK(ended.out == by_file.out);
   }
-  const auto unknown = blossom::test::blossom({"trace", "05-de-bor"});
+  const auto unknown = blossom::test::blossom({"trace", "22-de-bor"});
   SHOW(unknown);
   CHECK(unknown.status == 1);
-  CHECK(contains(unknown.err, "05-de-boor"));
+  CHECK(contains(unknown.err, "22-de-boor"));
 }
 
 TEST_CASE("trace as JSON is a trace file that reads back as the run") {
@@ -219,7 +219,7 @@ TEST_CASE("Inputs come from a file or from standard input") {
 }
 
 TEST_CASE("A whole lesson comes from standard input") {
-  const auto ended = blossom::test::blossom({"trace", "-", "--exact"}, {.input = read_all("lessons/05-de-boor.json")});
+  const auto ended = blossom::test::blossom({"trace", "-", "--exact"}, {.input = read_all("lessons/22-de-boor.json")});
   SHOW(ended);
   CHECK(ended.status == 0);
   CHECK(ended.out == blossom::test::blossom({"trace", "05", "--exact"}).out);
@@ -231,7 +231,7 @@ TEST_CASE("lint finds the shipped files in order") {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"lint"},
                                                     {"lint", "lessons"},
                                                     {"lint", "lessons", "exercises"},
-                                                    {"lint", "lessons/05-de-boor.json"}}) {
+                                                    {"lint", "lessons/22-de-boor.json"}}) {
     const auto ended = blossom::test::blossom(arguments);
     SHOW(ended);
     CHECK(ended.status == 0);
@@ -273,7 +273,7 @@ TEST_CASE("lint names five mistakes of different kinds at once, each at its line
 
 TEST_CASE("lint resolves the names in a lesson and in an exercise") {
   const Scratch scratch;
-  auto lesson = read_all("lessons/05-de-boor.json");
+  auto lesson = read_all("lessons/22-de-boor.json");
   const auto at = lesson.find("\"at\": \"P[1][2]\"");
   REQUIRE(at != std::string::npos);
   lesson.replace(at, 15, "\"at\": \"Q[1][2]\"");
@@ -352,7 +352,7 @@ namespace {
 
 // What play answers to these lines: one piece for each, after the first picture of the start.
 std::vector<std::string> play(const std::string& script, const std::vector<std::string>& more = {}) {
-  std::vector<std::string> arguments{"step", "05-de-boor"};
+  std::vector<std::string> arguments{"step", "22-de-boor"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const auto ended = blossom::test::blossom(arguments, {.input = script});
   SHOW(ended);

@@ -11,7 +11,7 @@ using namespace blossom::test;
 
 namespace {
 
-const std::string exercise = "exercises/05-de-boor.json";
+const std::string exercise = "exercises/22-de-boor.json";
 const std::vector<std::string> students{"perfect", "early-slip", "swapped-weights", "not-json", "empty"};
 
 Ended grade(const std::vector<std::string>& more, const std::vector<std::string>& who = students) {
@@ -169,11 +169,11 @@ TEST_CASE("With --student all files are one student's, from a folder too, and on
 
 TEST_CASE("An assignment: each file against the exercise that it names, and lateness by --submitted") {
   const Scratch scratch;
-  for (const char* name : {"05-de-boor", "01-de-casteljau"})
+  for (const char* name : {"22-de-boor", "11-de-casteljau"})
     fs::copy_file(fs::path(BLOSSOM_SOURCE_DIR) / "exercises" / (std::string(name) + ".json"),
                   scratch / (std::string(name) + ".json"));
   const auto assignment = scratch.write("hw.json", R"({"schema": "blossom.assignment/1", "id": "hw", "title": "H",
-      "exercises": [{"file": "05-de-boor.json", "points": 8}, {"file": "01-de-casteljau.json", "points": 2}],
+      "exercises": [{"file": "22-de-boor.json", "points": 8}, {"file": "11-de-casteljau.json", "points": 2}],
       "due": "2026-10-01T00:00:00Z", "late": {"per_day": "1/2"}})");
   const std::string perfect = "exercises/demo-class/perfect.json";
   const auto other =
@@ -197,8 +197,8 @@ TEST_CASE("An assignment: each file against the exercise that it names, and late
 
 TEST_CASE("What is graded as one student's needs to be told whose it is") {
   for (const std::vector<std::string>& given :
-       {std::vector<std::string>{"exercises/05-de-boor.json", "exercises"},
-        {"exercises/15-own-de-casteljau.json", "exercises/demo-class/perfect.json"}}) {
+       {std::vector<std::string>{"exercises/22-de-boor.json", "exercises"},
+        {"exercises/11-own-de-casteljau.json", "exercises/demo-class/perfect.json"}}) {
     const auto ended = run_program("blossom-grade", given);
     SHOW(ended);
     CHECK(ended.status == 2);

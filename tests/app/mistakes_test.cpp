@@ -110,7 +110,7 @@ TEST_CASE("Whatever is typed, messages are harmless lines") {
 
 TEST_CASE("A title of two lines stays in its row") {
   const Scratch scratch;
-  auto lesson = read_all("lessons/01-de-casteljau.json");
+  auto lesson = read_all("lessons/11-de-casteljau.json");
   const auto at = lesson.find("\"title\": \"");
   REQUIRE(at != std::string::npos);
   lesson.insert(at + 10, "One\\nTwo ");
@@ -178,7 +178,7 @@ TEST_CASE("Columns and underlines are measured in characters") {
   CHECK(std::ranges::count(columns, columns[0]) == static_cast<std::ptrdiff_t>(columns.size()));
 
   for (const std::string command : {"trace", "step"}) {
-    const auto lines = lines_of(blossom::test::blossom({command, "01-de-casteljau"}).out);
+    const auto lines = lines_of(blossom::test::blossom({command, "11-de-casteljau"}).out);
     REQUIRE(lines.size() > 2);
     CHECK(contains(lines[0], "B\xC3\xA9zier"));
     CHECK(lines[1] == std::string(utf8_count(lines[0]), '='));
@@ -187,7 +187,7 @@ TEST_CASE("Columns and underlines are measured in characters") {
 
 TEST_CASE("Narration is wrapped by trace and by play, at its characters and its own line breaks") {
   const Scratch scratch;
-  auto lesson = read_all("lessons/01-de-casteljau.json");
+  auto lesson = read_all("lessons/11-de-casteljau.json");
   const auto at = lesson.find("\"say\": \"");
   REQUIRE(at != std::string::npos);
   std::string say;

@@ -95,10 +95,10 @@ TEST_CASE("in a browser, each step shows what the document says of it", "[app][p
     return;
   }
   const std::string window = GENERATE("1280,1000", "500,900");
-  const std::string exercise = GENERATE("05-de-boor", "10-knot-insertion");
+  const std::string exercise = GENERATE("22-de-boor", "28-knot-insertion");
   const Scratch scratch;
   const std::string answers =
-      exercise == "05-de-boor"
+      exercise == "22-de-boor"
           ? "exercises/demo-class/early-slip.json"
           : scratch.write("answers.json", R"({"schema": "blossom.answers/1", "exercise": "knot-insertion",
                                               "answers": {"k": 3, "alpha[1][2]": 0.25, "alpha[1][3]": "</script>"}})");

@@ -41,7 +41,7 @@ Ended render(std::vector<std::string> arguments, const Setting& setting = {}) {
 
 TEST_CASE("render draws the last step, or the one that is asked for") {
   const Scratch scratch;
-  const auto last = render({"05-de-boor", "--out", scratch.path()});
+  const auto last = render({"22-de-boor", "--out", scratch.path()});
   SHOW(last);
   CHECK(last.status == 0);
   CHECK(last.err.empty());
@@ -49,7 +49,7 @@ TEST_CASE("render draws the last step, or the one that is asked for") {
   CHECK(files_in(scratch.path()) == std::vector<std::string>{"de-boor-15.png"});
   CHECK(png_size(scratch / "de-boor-15.png") == std::pair(1120u, 700u));
 
-  const auto fourth = render({"05", "--step", "4", "--size", "640x480", "--scale", "2", "--out", scratch.path()});
+  const auto fourth = render({"22", "--step", "4", "--size", "640x480", "--scale", "2", "--out", scratch.path()});
   SHOW(fourth);
   CHECK(fourth.status == 0);
   CHECK(png_size(scratch / "de-boor-04.png") == std::pair(1280u, 960u));
@@ -57,7 +57,7 @@ TEST_CASE("render draws the last step, or the one that is asked for") {
 
 TEST_CASE("render --all draws every step, each its own picture") {
   const Scratch scratch;
-  const auto ended = render({"01-de-casteljau", "--all", "--svg", "--out", scratch / "new/folder"});
+  const auto ended = render({"11-de-casteljau", "--all", "--svg", "--out", scratch / "new/folder"});
   SHOW(ended);
   CHECK(ended.status == 0);
   CHECK(ended.err.empty());  // no progress line when nobody looks at a terminal
@@ -77,7 +77,7 @@ TEST_CASE("render --all draws every step, each its own picture") {
 
 TEST_CASE("render --contact-sheet puts the steps on one picture") {
   const Scratch scratch;
-  const auto ended = render({"01-de-casteljau", "--contact-sheet", scratch / "sheet.png", "--size", "640x480",
+  const auto ended = render({"11-de-casteljau", "--contact-sheet", scratch / "sheet.png", "--size", "640x480",
                              "--scale", "0.5", "--out", scratch / "each"});
   SHOW(ended);
   CHECK(ended.status == 0);
@@ -90,7 +90,7 @@ TEST_CASE("render in each theme is a picture of its own") {
   const Scratch scratch;
   std::vector<std::string> pictures;
   for (const std::string theme : {"light", "dark", "contrast"}) {
-    const auto ended = render({"01", "--step", "2", "--theme", theme, "--size", "640x480", "--out", scratch / theme});
+    const auto ended = render({"11", "--step", "2", "--theme", theme, "--size", "640x480", "--out", scratch / theme});
     SHOW(ended);
     CHECK(ended.status == 0);
     pictures.push_back(read_all(scratch / (theme + "/" + files_in(scratch / theme).at(0))));
@@ -103,7 +103,7 @@ TEST_CASE("render in each theme is a picture of its own") {
 TEST_CASE("render says every wrong option before it draws") {
   const Scratch scratch;
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
-      {{"05", "--theme", "sepia"}, "sepia"},
+      {{"22", "--theme", "sepia"}, "sepia"},
       {{"05", "--size", "12"}, "12"},
       {{"05", "--size", "100x100"}, "480x360"},
       {{"05", "--size", "640x480x3"}, "640x480x3"},
@@ -128,7 +128,7 @@ TEST_CASE("render says every wrong option before it draws") {
     CHECK(contains(ended.err, words));
     CHECK(ended.err.size() < 300);
   }
-  const auto both = render({"05", "--theme", "sepia", "--size", "12", "--out", scratch / "out"});
+  const auto both = render({"22", "--theme", "sepia", "--size", "12", "--out", scratch / "out"});
   SHOW(both);
   CHECK(contains(both.err, "--theme"));
   CHECK(contains(both.err, "--size"));
@@ -137,7 +137,7 @@ TEST_CASE("render says every wrong option before it draws") {
 
 TEST_CASE("Pages are bounded by their pixels, and the manual says so") {
   const Scratch scratch;
-  const auto wide = render({"01", "--step", "1", "--svg", "--size", "8000x8000", "--out", scratch.path()});
+  const auto wide = render({"11", "--step", "1", "--svg", "--size", "8000x8000", "--out", scratch.path()});
   SHOW(wide);
   CHECK(wide.status == 0);
   CHECK(contains(render({"--help"}).out, "64 million"));
@@ -145,7 +145,7 @@ TEST_CASE("Pages are bounded by their pixels, and the manual says so") {
 
 TEST_CASE("A step that the lesson has not is the input's fault") {
   const Scratch scratch;
-  const auto ended = render({"05", "--step", "16", "--out", scratch / "out"});
+  const auto ended = render({"22", "--step", "16", "--out", scratch / "out"});
   SHOW(ended);
   CHECK(ended.status == 1);
   CHECK(contains(ended.err, "from 0 to 15"));
@@ -170,7 +170,7 @@ TEST_CASE("Pictures that cannot be written have status 3, and nothing half-writt
   if (geteuid() == 0) return;  // who may write anywhere
   fs::create_directory(scratch / "closed");
   fs::permissions(scratch / "closed", fs::perms::owner_read | fs::perms::owner_exec);
-  const auto ended = render({"01", "--step", "1", "--out", scratch / "closed"});
+  const auto ended = render({"11", "--step", "1", "--out", scratch / "closed"});
   SHOW(ended);
   CHECK(ended.status == 3);
   CHECK(files_in(scratch / "closed").empty());

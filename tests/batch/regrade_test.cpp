@@ -144,7 +144,7 @@ TEST_CASE("where a part is voided, that alone is why") {
 
 TEST_CASE("another secret than that of the old results is told where numbers are students' own") {
   const Scratch scratch;
-  const std::string varied = "exercises/15-own-de-casteljau.json";
+  const std::string varied = "exercises/11-own-de-casteljau.json";
   auto options = class_options(scratch, scratch.write("class.jsonl", line_of_class("s1", "{}")), "old");
   options.assignment = varied;
   options.secret = scratch.write("secret", "the secret of this course, long enough");

@@ -369,15 +369,15 @@ int main(int argc, char** argv) {
   if (any_wanted("memory")) memory();
   OpenGl gl;
   head();
-  const Document de_boor = lesson("05-de-boor");
-  measure(gl, "05-de-boor: a control point dragged", de_boor,
+  const Document de_boor = lesson("22-de-boor");
+  measure(gl, "22-de-boor: a control point dragged", de_boor,
           [](OpenPlayer& w) { return drag(w, "viewport P[0][3]"); });
-  measure(gl, "05-de-boor: dragged at the last step", de_boor, [](OpenPlayer& w) {
+  measure(gl, "22-de-boor: dragged at the last step", de_boor, [](OpenPlayer& w) {
     w.frame_with([](Player& p) { p.seek(p.session()->last()); });
     w.frame();
     return drag(w, "viewport P[0][3]");
   });
-  measure(gl, "05-de-boor: step by step", de_boor, [](OpenPlayer& w) { return steps(w, 0, true); });
+  measure(gl, "22-de-boor: step by step", de_boor, [](OpenPlayer& w) { return steps(w, 0, true); });
   measure(gl, "studio: a point of a 20 x 20 surface dragged", de_boor,
           [](OpenPlayer& w) { return drag_in_studio(w, hilly_scene(20), "hills P[10][10]"); });
   measure(gl, "studio: the vase follows its profile", de_boor, [](OpenPlayer& w) {

@@ -13,7 +13,7 @@ using namespace blossom::fuzz;
 namespace {
 
 Examiner make_examiner() {
-  auto assignment = load_assignment(BLOSSOM_SOURCE_DIR "/exercises/05-de-boor.json");
+  auto assignment = load_assignment(BLOSSOM_SOURCE_DIR "/exercises/22-de-boor.json");
   require(assignment.value.has_value(), "the exercise is one", to_string(assignment.diagnostics));
   return Examiner(std::move(*assignment), "a secret of 20 bytes", Time());
 }

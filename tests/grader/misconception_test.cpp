@@ -112,7 +112,7 @@ TEST_CASE("the division by the weight forgotten in every answer is found in ever
 
 TEST_CASE("a control point that enters with its own coordinates, not multiplied by the weight") {
   // P[1][1] = 2/3 (1, 1, 1) + 1/3 (0, 1, 2) with (0, 1, 2) for (0, 2, 2).
-  const auto grader = shipped("03-rational-quarter-circle");
+  const auto grader = shipped("40-rational-quarter-circle");
   const Grade grade = grade_answers_to(grader, R"({"P[1][0]": [1, "1/3", 1], "P[1][1]": ["2/3", 1, "4/3"]})");
   CHECK(found_id(grade, "P[1][1]") == "unweighted-coordinates");
   // The equation ends in what is asked.
@@ -120,7 +120,7 @@ TEST_CASE("a control point that enters with its own coordinates, not multiplied 
 }
 
 TEST_CASE("the triangle of another span is said to be that") {
-  const auto grader = shipped("05-de-boor");
+  const auto grader = shipped("22-de-boor");
   const char* const answers = R"({"k": 3, "alpha[1][1]": "8/5", "P[1][1]": [-6, 0], "alpha[1][2]": "4/5",
       "P[1][2]": [0, 16], "alpha[1][3]": "8/15", "P[1][3]": [16, 20], "P[2][2]": ["18/5", "128/5"],
       "P[2][3]": ["64/5", "96/5"], "P[3][3]": ["458/25", "384/25"])";

@@ -94,7 +94,7 @@ TEST_CASE("right values in fewer digits than are asked are rounded, not a slip o
 
 TEST_CASE("a misconception that the values made of given numbers contradict is not claimed") {
   // The answers of somebody who has u = 3/4; with the weights swapped, their last levels would follow from their first.
-  const auto grader = shipped("15-own-de-casteljau");
+  const auto grader = shipped("11-own-de-casteljau");
   auto level = grader.exercise().run.inputs.curve("curve").points;
   std::string answers;
   for (std::size_t r = 1; r <= 3; ++r)
@@ -114,7 +114,7 @@ TEST_CASE("a misconception that the values made of given numbers contradict is n
 
 TEST_CASE("two misconceptions of one value each, in an answer that speaks against both, are not claimed") {
   // u was misread as 0.35.
-  const auto grader = shipped("05-de-boor");
+  const auto grader = shipped("22-de-boor");
   const Grade grade = grade_answers_to(grader, R"({"k": 4, "alpha[1][2]": "7/10", "P[1][2]": [0, 14],
       "alpha[1][3]": "7/15", "P[1][3]": [14, 20], "alpha[1][4]": "2/15", "P[1][4]": [30, "52/3"],
       "P[2][3]": ["49/5", "91/5"], "P[2][4]": ["86/5", "292/15"], "P[3][4]": ["319/25", "1403/75"]})");

@@ -191,7 +191,7 @@ TEST_CASE("carried credit is refused where the own values leave nothing to compu
 }
 
 TEST_CASE("own values that are equal to within the tolerance, zero, or copied by a ratio of 0 earn nothing") {
-  const Grader grader = shipped("05-de-boor");
+  const Grader grader = shipped("22-de-boor");
   // What these answers earn, all other points being `rest`.
   const auto points = [&](std::map<std::string, std::string> answers, const std::string& rest) {
     std::string text;
@@ -218,7 +218,7 @@ TEST_CASE("own values that are equal to within the tolerance, zero, or copied by
 }
 
 TEST_CASE("a list made of parameters that fell on an end or on each other earns nothing") {
-  for (const char* id : {"13-skinning-parameters", "14-skinning-hull"}) {
+  for (const char* id : {"67-skinning-parameters", "67-skinning-hull"}) {
     const Grader grader = shipped(id);
     const auto knots = [&](const std::string& v1, const std::string& v2, const std::string& middle) {
       return part(grade_answers_to(grader, R"({"v[1]": )" + v1 + R"(, "v[2]": )" + v2 + R"(, "V": [0, 0, 0, )" +
@@ -233,7 +233,7 @@ TEST_CASE("a list made of parameters that fell on an end or on each other earns 
     CHECK(knots("\"0.25\"", "\"0.75\"", "\"0.5\"") == Verdict::carried);
   }
   // To within the tolerance, too.
-  const Grader hull = shipped("14-skinning-hull");
+  const Grader hull = shipped("67-skinning-hull");
   for (const char* answers : {R"({"v[1]": 0, "v[2]": 0.0004, "V": [0, 0, 0, 0.0002, 1, 1, 1]})",
                               R"({"v[1]": 0.3, "v[2]": 0.3001, "V": [0, 0, 0, 0.3, 1, 1, 1]})"})
     CHECK(grade_answers_to(hull, answers).points == Exact(0));

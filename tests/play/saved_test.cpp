@@ -24,7 +24,7 @@ TEST_CASE("Edited inputs are saved as a lesson, and the picture as PNG and SVG")
   const Scratch scratch;
   const Ended ended =
       play(scratch,
-           "open lessons/05-de-boor.json\nkey End\ndrag \"viewport P[0][3]\" by 40 -25\nexpect edited yes\n"
+           "open lessons/22-de-boor.json\nkey End\ndrag \"viewport P[0][3]\" by 40 -25\nexpect edited yes\n"
            "key Ctrl+S\nclick \"dialog title\"\nkey Ctrl+A\ntype \"My curve\"\n"
            "click \"dialog id\"\nkey Ctrl+A\ntype my-curve\n" +
                save_to(scratch / "mine.json") + "expect unsaved no\nkey Ctrl+E\n" + save_to(scratch / "step.png") +
@@ -50,7 +50,7 @@ TEST_CASE("Predictions are typed, marked when all are given, and saved as answer
   };
   // The second one is wrong; the last goes on from it by the right rule.
   const Ended ended =
-      play(scratch, "open exercises/01-de-casteljau.json\nkey End\nexpect step 0\n" + answer("P[1][0]", "1", "3") +
+      play(scratch, "open exercises/11-de-casteljau.json\nkey End\nexpect step 0\n" + answer("P[1][0]", "1", "3") +
                         answer("P[1][1]", "7", "12") +
                         "expect undos 0\nclick edit.undo\nexpect undos 1\nexpect question \"P[1][1]\"\n" +
                         answer("P[1][1]", "6", "12") + answer("P[1][2]", "13", "10") +
@@ -58,7 +58,7 @@ TEST_CASE("Predictions are typed, marked when all are given, and saved as answer
   SHOW(ended);
   REQUIRE(ended.status == 0);
   const Ended grade =
-      run_program("blossom-grade", {"exercises/01-de-casteljau.json", scratch / "answers.json", "--format", "json"});
+      run_program("blossom-grade", {"exercises/11-de-casteljau.json", scratch / "answers.json", "--format", "json"});
   SHOW(grade);
   CHECK(grade.status == 0);
   CHECK(contains(grade.out, "\"correct\""));

@@ -43,7 +43,7 @@ TEST_CASE("All mistakes of a script are told by line and column, and nothing of 
 }
 
 TEST_CASE("A script that names what is not there fails at its line") {
-  const std::string opened = "open lessons/05-de-boor.json\n";
+  const std::string opened = "open lessons/22-de-boor.json\n";
   check_fails(opened + "click \"tab inptus\"\n", "2:1", "\"tab inptus\"");
   check_fails(opened + "click \"step.forwrd\"\n", "2:1", "did you mean \"step.forward\"?");
   check_fails(opened + "drag \"viewport P[0][3]\" to \"viewport P[0][33]\"\n", "2:1", "\"viewport P[0][33]\"");
@@ -54,7 +54,7 @@ TEST_CASE("A script that names what is not there fails at its line") {
 }
 
 TEST_CASE("A script whose expectation does not hold fails and says what is") {
-  const std::string opened = "open lessons/05-de-boor.json\nkey Right\n";
+  const std::string opened = "open lessons/22-de-boor.json\nkey Right\n";
   check_fails(opened + "expect step 2\nshot after\n", "3:1", "expected step to be \"2\", not \"1\"");
   check_fails(opened + "expect-near step 3 1.5\n", "3:1", "not 1");
   check_fails(opened + "expect-near title 3 1\n", "3:1", "to be a number");
@@ -93,7 +93,7 @@ TEST_CASE("Pictures that cannot be written are a mistake") {
 
 TEST_CASE("What is opened or dropped and cannot be read keeps the old document and lists what is wrong") {
   const Scratch files;
-  const std::string lesson = read_all(fs::path(BLOSSOM_SOURCE_DIR) / "lessons/05-de-boor.json");
+  const std::string lesson = read_all(fs::path(BLOSSOM_SOURCE_DIR) / "lessons/22-de-boor.json");
   std::string many = "{\"curve\": {\"degree\": 1, \"points\": [[0,0]";
   for (int i = 0; i < 300000; ++i) many += ",[1,2]";
   many += "]}, \"u\": 0}";
@@ -113,7 +113,7 @@ TEST_CASE("What is opened or dropped and cannot be read keeps the old document a
   };
   for (const char* verb : {"open", "drop"})
     for (const Hostile& bad : hostile) {
-      const Played played("open lessons/05-de-boor.json\nkey Right\nkey Right\n" + std::string(verb) + " \"" +
+      const Played played("open lessons/22-de-boor.json\nkey Right\nkey Right\n" + std::string(verb) + " \"" +
                           bad.file +
                           "\"\nexpect title \"De Boor's algorithm: a point on a B-spline curve\"\nexpect step 2\n" +
                           "state after\nshot after\nkey Escape\nexpect problems \"\"\nkey Right\nexpect step 3\n");
@@ -138,7 +138,7 @@ TEST_CASE("A lesson that is wrong when the player starts is told before there is
 
 TEST_CASE("A script makes the same pictures every time") {
   const std::string text =
-      "open lessons/05-de-boor.json\nkey End\nshot last\nkey Home\nkey Right\nwait 0.2\nshot moving\nkey T\nshot "
+      "open lessons/22-de-boor.json\nkey End\nshot last\nkey Home\nkey Right\nwait 0.2\nshot moving\nkey T\nshot "
       "dark\n";
   const Played once(text), again(text);
   SHOW(once.ended);

@@ -104,7 +104,7 @@ TEST_CASE("The window opens, steps by real keys, pins and drags by a real mouse,
   if (!Screen::possible()) return;
   // `wait` until what goes away by itself has gone.
   const Rehearsal rehearsal(R"(size 1280 720
-open lessons/05-de-boor.json
+open lessons/22-de-boor.json
 move "timeline position"
 things opened
 shot opened
@@ -163,7 +163,7 @@ shot undone
   CHECK(window.program->error().empty());
   const std::string progress = window.state_file("progress.json");
   INFO(progress);
-  CHECK(contains(progress, "05-de-boor.json"));
+  CHECK(contains(progress, "22-de-boor.json"));
   CHECK(contains(progress, "\"step\": 4"));
   CHECK(window.autosaves() == 0);
 }
@@ -225,7 +225,7 @@ shot back
 TEST_CASE("The window does nothing while nothing happens") {
   if (!Screen::possible()) return;
   const Rehearsal rehearsal(
-      "size 1280 720\nopen lessons/05-de-boor.json\nmove \"timeline position\"\nthings t\nshot s\n");
+      "size 1280 720\nopen lessons/22-de-boor.json\nmove \"timeline position\"\nthings t\nshot s\n");
   Screen screen(width, height);
   Window window(screen, {"05"});
   const auto neutral = rehearsal.middle("t", "timeline position");
@@ -244,7 +244,7 @@ TEST_CASE("The window does nothing while nothing happens") {
 TEST_CASE("A window that the system ends keeps where one was, and what one has edited for the next start") {
   if (!Screen::possible()) return;
   const Rehearsal rehearsal(R"(size 1280 720
-open lessons/05-de-boor.json
+open lessons/22-de-boor.json
 move "timeline position"
 things opened
 shot opened

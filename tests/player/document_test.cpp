@@ -77,7 +77,7 @@ TEST_CASE("every shipped lesson and exercise opens as what it is") {
 }
 
 TEST_CASE("a trace opens as the inputs it is of") {
-  const auto lesson = opened(root_folder / "lessons/07-de-boor-nurbs.json");
+  const auto lesson = opened(root_folder / "lessons/45-de-boor-nurbs.json");
   const auto run = record<Exact>(*lesson.algorithm, lesson.inputs);
   REQUIRE(run);
   const test::Scratch scratch;
@@ -157,7 +157,7 @@ TEST_CASE("what is predicted, and when it is marked, is said by the lesson and b
   CHECK(saved.asks == document->asks);
   CHECK(saved.marking == Marking::at_end);
 
-  const auto exercise = opened(root_folder / "exercises/05-de-boor.json");
+  const auto exercise = opened(root_folder / "exercises/22-de-boor.json");
   const auto as_saved = loaded(as_lesson(exercise, exercise.inputs, "c", "C"));
   CHECK(as_saved.asks == exercise.asks);
   CHECK(as_saved.marking == Marking::at_end);
@@ -174,7 +174,7 @@ TEST_CASE("example inputs are those of the first lesson about the algorithm") {
     CHECK(example->title() == algorithm->title);
   }
   CHECK(example_document("de_boor", root_folder / "lessons")->inputs ==
-        opened(root_folder / "lessons/05-de-boor.json").inputs);
+        opened(root_folder / "lessons/22-de-boor.json").inputs);
   const test::Scratch empty;
   CHECK_THAT(to_string(example_document("de_boor", empty.path()).diagnostics),
              Catch::Contains("has no lesson about de_boor"));

@@ -18,7 +18,7 @@ std::unique_ptr<Session> opened(const char* file) {
   return std::move(*session);
 }
 
-std::unique_ptr<Session> de_boor() { return opened("lessons/05-de-boor.json"); }
+std::unique_ptr<Session> de_boor() { return opened("lessons/22-de-boor.json"); }
 
 // 100 units of the page are 1 in the world; (0, 0) is in the middle, at (400, 300).
 constexpr ViewSize page{800, 600};
@@ -101,7 +101,7 @@ TEST_CASE("every edit of a drag starts from where it began") {
 }
 
 TEST_CASE("in space a point moves in the plane that faces the view, or along the axis that the drag runs along") {
-  const auto session = opened("lessons/12-skinning.json");
+  const auto session = opened("lessons/67-skinning.json");
   const PointAddress at{"profiles", 1, 0};
   const Point<Exact> start = affine(curve_at(session->inputs(), {"profiles", 1}), 0);
   const auto difference = [&](const Point<Exact>& p) {
@@ -176,7 +176,7 @@ TEST_CASE("a knot beyond its neighbour is refused at that knot") {
 }
 
 TEST_CASE("knots of a Bezier curve stay where they are") {
-  const auto session = opened("lessons/01-de-casteljau.json");
+  const auto session = opened("lessons/11-de-casteljau.json");
   const KnotGrip grip(*session, {"curve", 0}, 0, axis, 0);
   CHECK(grip.edited(session->algorithm(), 0, none));
   const Edited edited = grip.edited(session->algorithm(), 100, none);

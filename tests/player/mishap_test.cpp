@@ -41,7 +41,7 @@ TEST_CASE("in decimals a run may have other steps than in fractions: questions f
 TEST_CASE("what has the keyboard is looked up by its name after an edit, or let go of") {
   World world;
   Player& player = world.player();
-  REQUIRE(player.open(fs::absolute("lessons/05-de-boor.json")));
+  REQUIRE(player.open(fs::absolute("lessons/22-de-boor.json")));
   const auto id = [&](const char* name) { return *player.session()->recording().graph().find(name); };
   player.focused = {Link::Kind::value, id("P[3][4]")};
   player.settle();
@@ -63,7 +63,7 @@ TEST_CASE("what has the keyboard is looked up by its name after an edit, or let 
 TEST_CASE("edits that one goes on without are lost only when there is something to go on to") {
   World world;
   Player& player = world.player();
-  REQUIRE(player.open(fs::absolute("lessons/05-de-boor.json")));
+  REQUIRE(player.open(fs::absolute("lessons/22-de-boor.json")));
   REQUIRE(move(player, 3, 40, 20));
   write(world.scratch / "broken.json", "{");
   player.unless_unsaved([&](Player& p) { p.open(world.scratch / "broken.json"); });
@@ -77,13 +77,13 @@ TEST_CASE("a file that changes while something of it is held takes it out of the
   World world(true);
   Player& player = world.player();
   const fs::path file = world.scratch / "lesson.json";
-  write(file, text_of("lessons/05-de-boor.json"));
+  write(file, text_of("lessons/22-de-boor.json"));
   REQUIRE(player.open(file));
   player.set_view_size({600, 400});
   const Session& s = *player.session();
   REQUIRE(player.take(PointGrip(s, {"curve", 0, 3}, player.shown_camera(), player.view_size(), {300, 100}, 0)));
   player.drag({320, 110}, {});
-  for (const char* other : {"lessons/12-skinning.json", "lessons/09-knot-insertion.json"}) {
+  for (const char* other : {"lessons/67-skinning.json", "lessons/28-knot-insertion.json"}) {
     write(file, text_of(other));
     for (int i = 0; i < 4; ++i) player.advance(0.6);
     CHECK(player.problems().list.empty());
@@ -98,7 +98,7 @@ TEST_CASE("answers stay when the exercise's file changes and asks the same") {
   World world(true);
   Player& player = world.player();
   const fs::path file = world.scratch / "exercise.json";
-  std::string text = text_of("exercises/01-de-casteljau.json");
+  std::string text = text_of("exercises/11-de-casteljau.json");
   write(file, text);
   REQUIRE(player.open(file));
   const std::string name = player.session()->prediction()->questions()[0].name;
@@ -117,24 +117,24 @@ TEST_CASE("a file whose name is no UTF-8 does not spoil what is remembered of th
   World world;
   Player& player = world.player();
   const fs::path odd = world.scratch / "odd\xff.json";
-  write(odd, text_of("lessons/01-de-casteljau.json"));
+  write(odd, text_of("lessons/11-de-casteljau.json"));
   REQUIRE(player.open(odd));
   player.keep();
-  REQUIRE(player.open(fs::absolute("lessons/05-de-boor.json")));
+  REQUIRE(player.open(fs::absolute("lessons/22-de-boor.json")));
   player.seek(3);
   player.keep();
   player.keep();
   Diagnostics wrong;
   const auto progress = load_progress(options_in(world.scratch).places, wrong);
   CHECK(to_string(wrong).empty());
-  CHECK(progress.contains(fs::absolute("lessons/05-de-boor.json").string()));
+  CHECK(progress.contains(fs::absolute("lessons/22-de-boor.json").string()));
 }
 
 TEST_CASE("answers to an exercise are not lost without a word; those of practice may be") {
   World world;
   Player& player = world.player();
   int done = 0;
-  REQUIRE(player.open(fs::absolute("exercises/05-de-boor.json")));
+  REQUIRE(player.open(fs::absolute("exercises/22-de-boor.json")));
   player.unless_unsaved([&](Player&) { ++done; });
   CHECK(done == 1);  // nothing was answered
   REQUIRE_FALSE(player.session()->prediction()->answer(0, {"4"}));
@@ -147,7 +147,7 @@ TEST_CASE("answers to an exercise are not lost without a word; those of practice
   CHECK(done == 3);
   CHECK(text_of(world.scratch / "answers.json").find("\"k\": \"4\"") != std::string::npos);
 
-  REQUIRE(player.open(fs::absolute("lessons/01-de-casteljau.json")));
+  REQUIRE(player.open(fs::absolute("lessons/11-de-casteljau.json")));
   REQUIRE(player.session()->start_prediction().empty());
   REQUIRE_FALSE(player.session()->prediction()->answer(0, {"1", "1"}));
   player.unless_unsaved([&](Player&) { ++done; });

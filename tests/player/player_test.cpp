@@ -22,7 +22,7 @@ TEST_CASE("A player begins with nothing open, and opens lessons, exercises and p
   CHECK(state(player, "kind") == "lesson");
   CHECK(state(player, "step") == "0");
   CHECK(player.tab == "tableau");
-  open(player, "exercises/05-de-boor.json");
+  open(player, "exercises/22-de-boor.json");
   CHECK(state(player, "kind") == "exercise");
   CHECK(state(player, "predicting") == "yes");
   CHECK(player.tab == "predict");
@@ -66,7 +66,7 @@ TEST_CASE("Opening something else takes nothing along") {
   player.pin(link_to(player, "P[1][3]"));
   player.ask_why(link_to(player, "P[2][4]").id);
   player.set_camera(Camera{});
-  open(player, "lessons/01-de-casteljau.json");
+  open(player, "lessons/11-de-casteljau.json");
   CHECK_FALSE(player.pinned());
   CHECK_FALSE(player.why_asked());
   CHECK_FALSE(player.camera());
@@ -364,7 +364,7 @@ TEST_CASE("Where one was, one's bookmarks and settings are there the next time")
   CHECK_FALSE(player.notice().empty());
   // At its end a lesson begins anew.
   player.seek(player.session()->last());
-  open(player, "lessons/01-de-casteljau.json");
+  open(player, "lessons/11-de-casteljau.json");
   open(player, de_boor);
   CHECK(state(player, "step") == "0");
 }
@@ -408,7 +408,7 @@ TEST_CASE("Playing goes on at the speed that is set, and stops at the end") {
 TEST_CASE("A notice goes away by itself, and only that is a reason to draw") {
   World world;
   Player& player = world.player();
-  open(player, "lessons/01-de-casteljau.json");
+  open(player, "lessons/11-de-casteljau.json");
   player.notice("Look here.");
   CHECK_FALSE(player.advance(4.9));
   CHECK(player.notice() == "Look here.");
@@ -461,8 +461,8 @@ TEST_CASE("Every action can be asked for at every moment without harm") {
       }
   };
   try_all();
-  for (const auto& file : {de_boor, fs::path("lessons/12-skinning.json"), fs::path("exercises/06-spans.json"),
-                           fs::path("lessons/10-subdivision.json")}) {
+  for (const auto& file : {de_boor, fs::path("lessons/67-skinning.json"), fs::path("exercises/21-spans.json"),
+                           fs::path("lessons/29-subdivision.json")}) {
     open(player, file);
     player.seek(player.session()->last() / 2);
     try_all();

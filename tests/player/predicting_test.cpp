@@ -8,7 +8,7 @@ using namespace blossom::test;
 TEST_CASE("While one predicts, no move goes beyond the open question") {
   World world;
   Player& player = world.player();
-  open(player, "exercises/05-de-boor.json");
+  open(player, "exercises/22-de-boor.json");
   const Prediction& prediction = *player.session()->prediction();
   const std::uint32_t before = prediction.questions()[0].step - 1;
   for (const char* action : {"step.last", "step.forward", "step.over", "step.out", "step.next_mark"}) {
@@ -29,7 +29,7 @@ TEST_CASE("While one predicts, no move goes beyond the open question") {
 TEST_CASE("An answer is typed, refused while it has not the right shape, and taken") {
   World world;
   Player& player = world.player();
-  open(player, "exercises/05-de-boor.json");
+  open(player, "exercises/22-de-boor.json");
   const auto question = player.asked();
   REQUIRE(question == std::size_t{0});
   player.set_draft(0, "two fifths");
@@ -57,7 +57,7 @@ TEST_CASE("An answer is typed, refused while it has not the right shape, and tak
 TEST_CASE("Show me shows the chosen question, and a lesson goes on to its step") {
   World world;
   Player& player = world.player();
-  open(player, "exercises/05-de-boor.json");
+  open(player, "exercises/22-de-boor.json");
   const Prediction& exercise = *player.session()->prediction();
   const std::size_t last = exercise.questions().size() - 1;
   player.choose_question(last);
@@ -78,7 +78,7 @@ TEST_CASE("Show me shows the chosen question, and a lesson goes on to its step")
 TEST_CASE("Answers are lost, and open questions given up, only after one was asked") {
   World world;
   Player& player = world.player();
-  open(player, "exercises/05-de-boor.json");
+  open(player, "exercises/22-de-boor.json");
   player.set_draft(0, "4");
   player.submit_draft();
   player.stop_predicting();
@@ -102,7 +102,7 @@ TEST_CASE("Answers are lost, and open questions given up, only after one was ask
 TEST_CASE("A pair that is typed into one field fills both, and an answer is seen again where its question is") {
   World world;
   Player& player = world.player();
-  open(player, "exercises/05-de-boor.json");
+  open(player, "exercises/22-de-boor.json");
   const Prediction& prediction = *player.session()->prediction();
   const auto point = static_cast<std::size_t>(std::ranges::find(prediction.questions(), "P[1][3]", &Question::name) -
                                               prediction.questions().begin());

@@ -27,7 +27,7 @@ std::string mistakes(const std::string& text) {
 TEST_CASE("a script is what a person would do, line by line") {
   const auto script = parse_script("s", R"(# de Boor, in a small window
 size 1280 720 3/2
-  open lessons/05-de-boor.json   # as by the dialog
+  open lessons/22-de-boor.json   # as by the dialog
 
 key Right
 type 2/5
@@ -53,7 +53,7 @@ close)");
   for (const Instruction& instruction : *script) found.emplace_back(instruction.verb, instruction.words);
   CHECK(found == std::vector<std::pair<std::string, Words>>{
                      {"size", {"1280", "720", "3/2"}},
-                     {"open", {"lessons/05-de-boor.json"}},
+                     {"open", {"lessons/22-de-boor.json"}},
                      {"key", {"Right"}},
                      {"type", {"2/5"}},
                      {"focus", {"timeline"}},

@@ -59,16 +59,16 @@ TEST_CASE("all shipped lessons and exercises are on the shelf, lessons first, by
   }
   CHECK(found == expected);
 
-  const ShelfItem& first = find(items, "01-de-casteljau.json");
+  const ShelfItem& first = find(items, "11-de-casteljau.json");
   CHECK(first.id == "de-casteljau");
   CHECK(first.minutes > 0);
   CHECK_FALSE(first.unit.empty());
   // The triangle is complete: the last of its points is there.
   CHECK(told_step(first) == "P[3][0]");
-  CHECK(told_step(find(items, "05-de-boor.json")) == "P[3][4]");
-  CHECK(told_step(find(items, "09-knot-insertion.json")) == "Q[1][5]");
+  CHECK(told_step(find(items, "22-de-boor.json")) == "P[3][4]");
+  CHECK(told_step(find(items, "28-knot-insertion.json")) == "Q[1][5]");
   // A surface is seen at the end.
-  const ShelfItem& surface = find(items, "12-skinning.json");
+  const ShelfItem& surface = find(items, "67-skinning.json");
   CHECK(surface.telling_step == surface.recording->last());
 }
 

@@ -158,7 +158,7 @@ void set_up(CLI::App& app, int& status) {
   add_subject_options(app, options->subject);
   app.add_flag("--decimals", options->decimals,
                "Compute in decimals (double precision); by default in exact fractions");
-  app.footer(std::string("Keys, each followed by Enter:\n") + keys + "Example:\n  blossom step 01-de-casteljau");
+  app.footer(std::string("Keys, each followed by Enter:\n") + keys + "Example:\n  blossom step 11-de-casteljau");
   app.callback([options, &status] {
     const auto subject = load_subject(options->subject);
     status = !subject ? report(subject.diagnostics)

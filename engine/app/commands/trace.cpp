@@ -65,8 +65,8 @@ void set_up(CLI::App& app, int& status) {
       ->capture_default_str();
   app.footer(
       "Examples:\n"
-      "  blossom trace 01-de-casteljau --exact\n"
-      "  blossom trace lessons/01-de-casteljau.json --format json > trace.json\n"
+      "  blossom trace 11-de-casteljau --exact\n"
+      "  blossom trace lessons/11-de-casteljau.json --format json > trace.json\n"
       "  echo '{\"curve\": {\"degree\": 2, \"points\": [[0,0],[1,2],[2,0]]}, \"u\": \"1/3\"}' |\n"
       "    blossom trace --algorithm de_casteljau --inputs - --exact\n"
       "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine.");

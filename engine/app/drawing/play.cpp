@@ -98,11 +98,11 @@ void set_up(CLI::App& app, int& status) {
   app.footer(
       "Without FILE the start page shows the lessons and exercises. ? in the window lists the keys.\n"
       "Examples:\n"
-      "  blossom play 05-de-boor\n"
+      "  blossom play 22-de-boor\n"
       "  blossom play --algorithm knot_insertion\n"
-      "  blossom play exercises/05-de-boor.json\n"
+      "  blossom play exercises/22-de-boor.json\n"
       "  blossom play lessons/scenes/vase.json\n"
-      "  blossom play 05 --headless-script tour.txt --out pictures");
+      "  blossom play 22 --headless-script tour.txt --out pictures");
   app.callback([options, &status] { status = run(*options); });
 }
 

@@ -259,9 +259,9 @@ void set_up(CLI::App& app, int& status) {
       ->capture_default_str();
   app.footer(
       "Examples:\n"
-      "  blossom render 05-de-boor --step 6 --exact\n"
-      "  blossom render 05-de-boor --all --out pictures --theme dark\n"
-      "  blossom render 05-de-boor --contact-sheet sheet.png\n"
+      "  blossom render 22-de-boor --step 6 --exact\n"
+      "  blossom render 22-de-boor --all --out pictures --theme dark\n"
+      "  blossom render 22-de-boor --contact-sheet sheet.png\n"
       "  blossom render vase.json --out vase.svg     (a scene of the studio)\n"
       "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine.");
   app.callback([options, &status] { status = run(*options); });
