@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "grader/lesson_grader.hpp"
 #include "lesson/file_kind.hpp"
 
 namespace blossom {
@@ -163,7 +164,7 @@ Answers match_answers(const Exercise& exercise, const Json& root) {
     if (++ignored <= most_notes) answers.notes.push_back(note());
   };
   for (const std::string& key : root.keys)
-    if (key != "schema" && key != "exercise" && key != "answers" && key != "student" && key != "$schema")
+    if (key != "schema" && key != "exercise" && key != "answers" && key != "student" && key != "$schema" && key != "$comment")
       ignore([&] { return "unknown key " + excerpt(key) + " was ignored"; });
   for (std::size_t i = 0; i < given->keys.size(); ++i) {
     if (const auto part = exercise.part(given->keys[i]))
@@ -182,6 +183,10 @@ Answers match_answers(const Exercise& exercise, const Json& root) {
 
 Typed read_typed(const Part& part, const Json& json) {
   Typed typed;
+  if (part.question != nullptr && !part.question->is_value()) {
+    typed.problem = mark_letters(*part.question, json).problem;
+    return typed;
+  }
   const auto take = [&](const Json& number) {
     auto value = is_number(number) ? parse_typed(number.text) : std::nullopt;
     if (!value) {
@@ -253,6 +258,8 @@ std::string near_miss(const Part& part, NumbersView<Exact> traced, const Typed& 
 }
 
 Match match(const Part& part, const Json& json) {
+  if (part.question != nullptr && !part.question->is_value())
+    return mark_letters(*part.question, json).verdict == Verdict::correct ? Match::right : Match::different;
   const auto fits = [](const Window& window, const Json& number) {
     return is_number(number) && fit(window, number.text) == Fit::inside;
   };

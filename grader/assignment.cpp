@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "grader/lesson_grader.hpp"
 #include "lesson/document.hpp"
 #include "lesson/file_kind.hpp"
 
@@ -61,10 +62,15 @@ std::string alone_in_its_place(const JsonDocument& document, const Json& json) {
   return alone + text.substr(begin, end + 1 - begin);
 }
 
+// An exercise, or the checkpoints of a lesson.
+Checked<Exercise> read_one(const JsonDocument& document, std::string_view language) {
+  return file_kind(document.root()) == FileKind::lesson ? read_sheet(document, language) : read_exercise(document);
+}
+
 class AssignmentReader {
  public:
-  AssignmentReader(const JsonDocument& document, Diagnostics& diagnostics)
-      : document_(&document), diagnostics_(&diagnostics), root_(document, diagnostics) {}
+  AssignmentReader(const JsonDocument& document, std::string_view language, Diagnostics& diagnostics)
+      : document_(&document), language_(language), diagnostics_(&diagnostics), root_(document, diagnostics) {}
 
   void read() {
     if (!root_.expect_object({"$schema", "schema", "id", "title", "exercises", "due", "late", "attempts", "feedback",
@@ -142,7 +148,7 @@ class AssignmentReader {
     const Cursor& place = file ? *file : *inlined;
     auto document = file ? load(*file) : parse(*inlined);
     if (!document) return;
-    auto exercise = read_exercise(*document);
+    auto exercise = read_one(*document, language_);
     if (!exercise) {
       for (Diagnostic& diagnostic : exercise.diagnostics) add(std::move(diagnostic), inlined);
       return;
@@ -164,8 +170,9 @@ class AssignmentReader {
     auto document = JsonDocument::load(folder / *name);
     if (document) {
       const FileKind kind = file_kind(document->root());
-      if (kind == FileKind::exercise || kind == FileKind::unknown) return std::move(document.value);
-      at.error("must be the path of an exercise; " + excerpt(*name) + " is of the kind " +
+      if (kind == FileKind::exercise || kind == FileKind::lesson || kind == FileKind::unknown)
+        return std::move(document.value);
+      at.error("must be the path of an exercise, or of a lesson for its checkpoints; " + excerpt(*name) + " is of the kind " +
                std::string(file_kind_name(kind)));
       return std::nullopt;
     }
@@ -194,6 +201,7 @@ class AssignmentReader {
   }
 
   const JsonDocument* document_;
+  std::string_view language_;
   Diagnostics* diagnostics_;
   Cursor root_;
 };
@@ -236,30 +244,31 @@ Feedback Assignment::feedback_at(std::size_t item, Time now) const {
   return feedback.value_or(items[item].exercise.feedback);
 }
 
-Checked<Assignment> read_assignment(const JsonDocument& document) {
+Checked<Assignment> read_assignment(const JsonDocument& document, std::string_view language) {
   Diagnostics diagnostics;
-  AssignmentReader reader(document, diagnostics);
+  AssignmentReader reader(document, language, diagnostics);
   if (file_kind(document.root()) == FileKind::assignment) {
     reader.read();
     if (!diagnostics.empty()) return diagnostics;
     return std::move(reader.assignment);
   }
-  if (const FileKind kind = file_kind(document.root()); kind != FileKind::exercise && kind != FileKind::unknown) {
+  if (const FileKind kind = file_kind(document.root()); kind != FileKind::exercise && kind != FileKind::lesson && kind != FileKind::unknown) {
     Cursor(document, diagnostics)
         .error("is " + with_article(kind) +
-               ", where an exercise or an assignment is wanted (schema blossom.exercise/1 or blossom.assignment/1)");
+               ", where an exercise, an assignment or a lesson is wanted (schema blossom.exercise/1, "
+               "blossom.assignment/1 or blossom.lesson/1)");
     return diagnostics;
   }
-  auto exercise = read_exercise(document);
+  auto exercise = read_one(document, language);
   if (!exercise) return exercise.diagnostics;
   reader.read_only(std::move(*exercise));
   return std::move(reader.assignment);
 }
 
-Checked<Assignment> load_assignment(const std::filesystem::path& path) {
+Checked<Assignment> load_assignment(const std::filesystem::path& path, std::string_view language) {
   const auto document = JsonDocument::load(path);
   if (!document) return document.diagnostics;
-  return read_assignment(*document);
+  return read_assignment(*document, language);
 }
 
 }  // namespace blossom

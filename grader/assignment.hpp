@@ -3,7 +3,7 @@
 //
 //   {"schema": "blossom.assignment/1", "id", "title",
 //    "exercises": [{"file": "../exercises/22-de-boor.json", "points": 10}, ...],   points: else the exercise's own
-//                  or {"exercise": the exercise itself, "points"?}
+//                  or {"exercise": the exercise itself, "points"?}; a lesson likewise
 //    "due"?: time, "late"?: {"grace_minutes"?: n, "per_day"?: share, "at_most_days"?: n},
 //    "attempts"?: "last" | "best" | "first",
 //    "feedback"?: level, "full_feedback_from"?: time, "lms_id"?: "12345", "source"?, "$schema"?}
@@ -56,10 +56,10 @@ struct Assignment {
   Feedback feedback_at(std::size_t item, Time now) const;
 };
 
-// An assignment, or an exercise alone: an assignment of that one with its own points. Every mistake at once, those of
-// its exercises among them.
-Checked<Assignment> read_assignment(const JsonDocument&);
-Checked<Assignment> load_assignment(const std::filesystem::path&);
+// An assignment, or an exercise alone: an assignment of that one with its own points. A lesson stands for its
+// checkpoints (lesson_grader.hpp), said in a language. Every mistake at once, those of its exercises among them.
+Checked<Assignment> read_assignment(const JsonDocument&, std::string_view language = {});
+Checked<Assignment> load_assignment(const std::filesystem::path&, std::string_view language = {});
 
 // What to say of an ID that names none of its exercises: those there are, or the one that was probably meant.
 std::string no_exercise_of(const Assignment&, std::string_view id);

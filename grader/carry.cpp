@@ -15,6 +15,7 @@ ReplayPlan::ReplayPlan(const Exercise& exercise) {
   const auto& trace = exercise.run.trace;
   part_of.assign(trace.value_count(), not_asked);
   std::vector<char> needed(trace.value_count(), 0);
+  if (exercise.is_sheet()) return;  // its values are its scenes'
   for (std::size_t i = 0; i < exercise.parts.size(); ++i) {
     part_of[exercise.parts[i].value] = static_cast<std::int32_t>(i);
     needed[exercise.parts[i].value] = 1;

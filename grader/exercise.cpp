@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "algorithms/narrate.hpp"
 #include "algorithms/selector.hpp"
 #include "grader/variant_spec.hpp"
 #include "lesson/document.hpp"
@@ -57,6 +56,19 @@ bool is_sentence(std::string_view formula) {
     words += word.size() > 1 && std::ranges::all_of(word, [](char c) { return 'a' <= c && c <= 'z'; });
   }
   return words > 1;
+}
+
+// Where its equation ends: what is computed, and then what is asked of it.
+std::string result_text(const Part& part, const Narrator<Exact>& narrator) {
+  switch (part.form) {
+    case Form::affine:
+      break;
+    case Form::homogeneous:
+      return narrator.operand_text(part.value);
+    case Form::weight:
+      return narrator.operand_text(part.value) + ": w = " + format_brief(part.right[0]);
+  }
+  return narrator.made_text(part.value);
 }
 
 // Whether Exact::parse reads some text of this number: a fraction or a decimal of at most 400 characters.
@@ -238,22 +250,16 @@ class ExerciseReader {
   }
 
   void add(Part part, const Cursor& value, const std::optional<Cursor>& form, const std::optional<Cursor>& as) {
-    const auto& trace = exercise.run.trace;
-    const auto numbers = trace.numbers(part.value);
-    part.dimension = trace.dimension;
-    part.rational = trace.rational;
     const bool is_point = part.kind == ValueKind::point || part.kind == ValueKind::vector;
-    if (part.kind == ValueKind::integer) part.tolerance = {};
-    if (form && !(is_point && part.rational)) {
+    if (form && !(is_point && exercise.run.trace.rational)) {
       form->error("is for points of rational curves and surfaces; " + json_quote(part.name) + " is typed as it is");
       return;
     }
-    if (part.kind == ValueKind::vector && part.rational && part.form == Form::affine) part.form = Form::homogeneous;
     if (as && part.kind != ValueKind::list) {
       as->error("is for lists, such as knot vectors; " + json_quote(part.name) + " is no list");
       return;
     }
-    part.right = part.as_typed(numbers);
+    complete_part(part, *narrator_);
     if (part.right.empty()) {
       value.error(json_quote(part.name) +
                   " has weight 0 and no affine point; ask for it with \"form\": \"homogeneous\"");
@@ -270,36 +276,9 @@ class ExerciseReader {
                   " has more digits than can be typed; give a \"tolerance\" such as {\"significant\": 4}");
       return;
     }
-    if (part.as_set) std::ranges::sort(part.right);
-    for (const Exact& x : part.right) part.windows.push_back(window(part.tolerance, x));
-    const std::string formula = narrator_->formula(part.value), result = result_text(part);
-    part.formula = part.name + " = " + formula;
-    part.solution = part.name + " = ";
-    if (is_sentence(formula)) {
-      part.solution += result + ", " + formula;
-    } else {
-      const auto with_numbers = narrator_->numbers(part.value);
-      const bool copied = result.starts_with(with_numbers);
-      if (with_numbers.size() <= longest_formula)
-        part.solution += formula + " = " + (copied ? "" : with_numbers + " = ");
-      part.solution += result;
-    }
     exercise.max_points += part.points;
     exercise.part_of_name.emplace(part.name, exercise.parts.size());
     exercise.parts.push_back(std::move(part));
-  }
-
-  // Where its equation ends: what is computed, and then what is asked of it.
-  std::string result_text(const Part& part) const {
-    switch (part.form) {
-      case Form::affine:
-        break;
-      case Form::homogeneous:
-        return narrator_->operand_text(part.value);
-      case Form::weight:
-        return narrator_->operand_text(part.value) + ": w = " + format_brief(part.right[0]);
-    }
-    return narrator_->made_text(part.value);
   }
 
   // Whether each right number is one that Exact::parse reads. Counts what the right answers take in a submission.
@@ -333,7 +312,8 @@ std::optional<Tolerance> read_tolerance(const Cursor& at) {
     return std::nullopt;
   }
   const std::vector<std::string> kinds{"decimals", "significant", "absolute", "relative"};
-  if (!at.is(Json::Kind::object) || at.size() != 1) {
+  const auto commented = static_cast<std::size_t>(std::ranges::count(at.json().keys, "$comment"));
+  if (!at.is(Json::Kind::object) || at.size() != 1 + commented) {
     at.error(
         "must be \"exact\" or one of {\"decimals\": n}, {\"significant\": n}, {\"absolute\": x}, {\"relative\": x}");
     return std::nullopt;
@@ -412,6 +392,42 @@ bool agrees(const Part& part, NumbersView<Exact> traced, const Numbers<Exact>& t
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (!within(part.tolerance, numbers[i], typed[i], i < widening.size() ? widening[i] : 0)) return false;
   return true;
+}
+
+void complete_part(Part& part, const Narrator<Exact>& narrator) {
+  const auto& trace = narrator.trace();
+  part.dimension = trace.dimension;
+  part.rational = trace.rational;
+  if (part.kind == ValueKind::integer) part.tolerance = {};
+  if (part.kind == ValueKind::vector && part.rational && part.form == Form::affine) part.form = Form::homogeneous;
+  part.right = part.as_typed(trace.numbers(part.value));
+  if (part.right.empty()) return;
+  if (part.as_set) std::ranges::sort(part.right);
+  for (const Exact& x : part.right) part.windows.push_back(window(part.tolerance, x));
+  const std::string name = trace.name(part.value), formula = narrator.formula(part.value);
+  const std::string result = result_text(part, narrator);
+  part.formula = name + " = " + formula;
+  part.solution = name + " = ";
+  if (is_sentence(formula)) {
+    part.solution += result + ", " + formula;
+    return;
+  }
+  const auto with_numbers = narrator.numbers(part.value);
+  const bool copied = result.starts_with(with_numbers);
+  if (with_numbers.size() <= longest_formula) part.solution += formula + " = " + (copied ? "" : with_numbers + " = ");
+  part.solution += result;
+}
+
+const Misconception* find_misconception(const Exercise& exercise, std::string_view id) {
+  const auto of = [&](const Algorithm& algorithm) -> const Misconception* {
+    const auto found = std::ranges::find(algorithm.misconceptions, id, &Misconception::id);
+    return found != algorithm.misconceptions.end() ? &*found : nullptr;
+  };
+  if (id.empty()) return nullptr;
+  if (const Misconception* found = of(*exercise.run.algorithm)) return found;
+  for (const Exercise& scene : exercise.scenes)
+    if (const Misconception* found = of(*scene.run.algorithm)) return found;
+  return nullptr;
 }
 
 std::optional<std::size_t> Exercise::part(std::string_view name) const {

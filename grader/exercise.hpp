@@ -12,12 +12,13 @@
 // exercises/exercise.schema.json describes every key.
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
-#include "algorithms/run.hpp"
+#include "algorithms/narrate.hpp"
 #include "grader/compare.hpp"
 #include "lesson/document.hpp"
 
@@ -44,6 +45,8 @@ enum class Voided : std::uint8_t {
   drop,    // it counts for nobody: it is worth no points
 };
 
+struct Question;
+
 // One asked value.
 struct Part {
   ValueId value = absent;
@@ -63,6 +66,8 @@ struct Part {
 
   std::string formula;   // P[1][0] = (1 - u) P[0][0] + u P[0][1]
   std::string solution;  // the same with numbers and the right value
+
+  std::shared_ptr<const Question> question;  // of a part of a lesson's sheet (lesson_grader.hpp), which is no value
 
   // How many numbers are typed for it; 0: any number of them (a list).
   std::size_t size() const;
@@ -98,13 +103,24 @@ struct Exercise {
   Run<Exact> run;
   std::vector<Part> parts;
   Exact max_points = 0;
+  // Of the sheet of a lesson: by scene, an exercise with those of its checkpoints that are values. Of the sheet itself
+  // the run is the first scene's.
+  std::vector<Exercise> scenes;
 
+  bool is_sheet() const { return !scenes.empty(); }
   std::optional<std::size_t> part(std::string_view name) const;
   std::unordered_map<std::string, std::size_t, NameHash, std::equal_to<>> part_of_name;
 };
 
 // "exact" or {"decimals": n} and so on; nothing, with a diagnostic, if it is no tolerance.
 std::optional<Tolerance> read_tolerance(const Cursor&);
+
+// The right numbers of a part, their windows and the formula, which follow from the run and from what else is said of
+// the part. A point of weight 0 that is asked without its weight has no right numbers: they stay empty.
+void complete_part(Part&, const Narrator<Exact>&);
+
+// The misconception of this id that the exercise's algorithm, or one of its scenes', knows; or nullptr.
+const Misconception* find_misconception(const Exercise&, std::string_view id);
 
 // Every mistake at once, at its line and column.
 Checked<Exercise> read_exercise(const JsonDocument&);

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <unordered_set>
 
+#include "grader/lesson_grader.hpp"
+
 namespace blossom {
 namespace {
 
@@ -81,6 +83,13 @@ double Grade::score() const { return (points / exercise->max_points).to_double()
 Grader::Grader(Exercise exercise) : exercise_(std::move(exercise)), plan_(exercise_), explainer_(exercise_, plan_) {
   const auto& trace = exercise_.run.trace;
   trace.find({});  // builds its index now, so that grading changes nothing
+  if (exercise_.is_sheet()) {
+    for (Exercise& scene : exercise_.scenes) {
+      scene.feedback = exercise_.feedback;
+      scenes_.push_back(std::make_unique<const Grader>(scene));
+    }
+    return;
+  }
   Replayed right(exercise_, plan_);
   right.run(std::vector<Given>(exercise_.parts.size(), Given{Given::Kind::right}));
   const auto trivial = right.trivial();
@@ -118,6 +127,10 @@ Grade Grader::grade(Answers&& answers, std::string student) const {
     for (PartGrade& part : grade.parts) part.verdict = Verdict::invalid;
     return grade;
   }
+  if (exercise_.is_sheet()) {
+    grade_sheet(answers, grade);
+    return grade;
+  }
   bool all_right = true;
   for (std::size_t i = 0; i < grade.parts.size(); ++i) {
     const Part& part = exercise_.parts[i];
@@ -137,6 +150,54 @@ Grade Grader::grade(Answers&& answers, std::string student) const {
   if (any_voided_) settle_voided(grade);
   for (const PartGrade& part : grade.parts) grade.points += part.points;
   return grade;
+}
+
+void Grader::grade_sheet(const Answers& answers, Grade& grade) const {
+  const auto said = [&](std::size_t i, const std::string& text) {
+    return shows_notes(exercise_.feedback) && !text.empty() ? text : grade.parts[i].feedback;
+  };
+  std::vector<Grade> scenes;
+  for (std::size_t s = 0; s < scenes_.size(); ++s) {
+    Answers of_scene;
+    for (std::size_t i = 0; i < exercise_.parts.size(); ++i) {
+      const Question& question = *exercise_.parts[i].question;
+      if (question.scene != s || !question.is_value()) continue;
+      const std::size_t part = of_scene.part.size();
+      of_scene.part.push_back(answers.part[i]);
+      for (const auto& [misnamed, name] : answers.misnamed)
+        if (misnamed == i) of_scene.misnamed.emplace_back(part, name);
+    }
+    scenes.push_back(scenes_[s]->grade(std::move(of_scene), {}));
+    if (!scenes.back().explanation) continue;
+    // What explains one run explains no other.
+    const bool only_one = std::ranges::count_if(scenes, [](const Grade& g) { return g.explanation.has_value(); }) == 1;
+    grade.explanation = only_one ? scenes.back().explanation : std::nullopt;
+  }
+  for (std::size_t i = 0; i < grade.parts.size(); ++i) {
+    const Part& part = exercise_.parts[i];
+    const Question& question = *part.question;
+    if (question.is_value()) {
+      grade.parts[i] = scenes[question.scene].parts[question.part];
+      if (grade.parts[i].verdict == Verdict::correct) grade.parts[i].feedback = said(i, question.praise);
+    } else if (answers.part[i] == nullptr) {
+      settle(grade, i, Verdict::missing, 0, {}, {});
+    } else {
+      const LetterMark mark = mark_letters(question, *answers.part[i]);
+      const bool is_right = mark.verdict == Verdict::correct;
+      const bool is_choice = mark.verdict != Verdict::invalid && mark.choice < question.feedback.size();
+      std::string words = is_choice ? question.feedback[mark.choice] : std::string();
+      const std::string& in_general = is_right ? question.praise : question.blame;
+      if (!in_general.empty()) words += (words.empty() ? "" : " ") + in_general;
+      if (mark.verdict == Verdict::invalid)
+        settle(grade, i, mark.verdict, 0, mark.problem, {});
+      else if (is_right)
+        settle(grade, i, mark.verdict, part.points, {}, {});
+      else
+        settle(grade, i, mark.verdict, 0, words.empty() ? "Not right." : words, "unknown");
+      if (is_right) grade.parts[i].feedback = said(i, words);
+    }
+    grade.points += grade.parts[i].points;
+  }
 }
 
 void Grader::look_closer(const Answers& answers, Grade& grade) const {
@@ -405,7 +466,7 @@ std::string Grader::feedback(const Part& part, Verdict verdict, std::string_view
   }
   if (exercise_.feedback == Feedback::full) return text + " Right is " + part.solution + ".";
   // The rule is a help where it is not known yet; not to who already used it.
-  if (verdict == Verdict::wrong || verdict == Verdict::missing) text += " The rule is " + part.formula + ".";
+  if (!part.formula.empty() && (verdict == Verdict::wrong || verdict == Verdict::missing)) text += " The rule is " + part.formula + ".";
   return text;
 }
 

@@ -11,6 +11,8 @@
 // Of a voided part everybody gets the points ("credit"), whatever their answer is or lacks, or nobody ("drop": it is
 // worth none). A submission that cannot be read at all is none, and earns nothing.
 
+#include <memory>
+
 #include "grader/answers.hpp"
 #include "grader/carry.hpp"
 #include "grader/diagnose.hpp"
@@ -79,6 +81,7 @@ class Grader {
  private:
   struct Open;
   Grade grade(Answers&&, std::string student) const;
+  void grade_sheet(const Answers&, Grade&) const;
   void look_closer(const Answers&, Grade&) const;
   void judge(const Open&, Grade&) const;
   void settle_carried(const Open&, const Replayed& meant, const Replayed* written, std::vector<char>& left,
@@ -98,6 +101,7 @@ class Grader {
   Explainer explainer_;
   std::vector<char> right_is_trivial_;  // by part: the exercise itself leaves nothing to compute there
   bool any_voided_ = false;
+  std::vector<std::unique_ptr<const Grader>> scenes_;  // of a sheet
 };
 
 }  // namespace blossom

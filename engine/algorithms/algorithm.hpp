@@ -98,6 +98,11 @@ struct ValueSpec {
     std::string_view narration = {};  // empty: the narration above
   };
   std::vector<Case> cases = {};
+
+  // A vector that is seen as an arrow standing at a point: the name of that point, with the vector's own index or
+  // another one: "C", "D[0]", "D[k]". What is its own foot is a point.
+  std::string_view foot = {};
+  bool ray = false;  // a line from the origin leads to it
 };
 
 struct PhaseSpec {
@@ -168,6 +173,12 @@ struct Algorithm {
   // What the kernel's preconditions demand of inputs that are each valid alone ("u must lie in the domain [0, 5]").
   // `at("u")` is the place to report at.
   void (*check)(const Inputs<Exact>&, const std::function<Cursor(std::string_view)>& at) = nullptr;
+  // Curves that its inputs stand for though none of them is one, for pictures: the curve of given coefficients, the line
+  // through two points.
+  std::vector<Curve<double>> (*pictured)(const Inputs<double>&) = nullptr;
+  // It works in space on a rational plane curve (kernel/lift.hpp): weights are heights, its points have none, and the
+  // picture shows the curve in the plane at height 1 and the one in space above it.
+  bool lifts = false;
   Runner<double> in_double;
   Runner<Exact> in_exact;
 

@@ -144,7 +144,8 @@ const Algorithm& curve_derivatives() {
           {"project", "", 10, "The point itself: C = D[0] = {chain}."},
           {"divide_vector", "", 10,
            "The derivative {d} of the curve itself: {chain}. The last number is 0: it is a vector."},
-          {"vanish_above", "", 0, "The degree is {p}, so the derivative {d} is zero."}}},
+          {"vanish_above", "", 0, "The degree is {p}, so the derivative {d} is zero."}},
+         "D[0]"},
     };
     a.phases = {
         {"differences", "Control points of derivative {index}", 2,

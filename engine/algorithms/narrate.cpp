@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "algorithms/typeset.hpp"
+
 namespace blossom {
 
 template <Scalar S>
@@ -445,10 +447,68 @@ std::optional<std::string> Narrator<S>::placeholder(std::string_view inside, con
 }
 
 template <Scalar S>
+std::optional<std::string> Narrator<S>::math_placeholder(std::string_view command, std::string_view inside,
+                                                         const Context& context) const {
+  if (command == "value") {
+    // What is no value (a formula, a phase's title) has no TeX.
+    static constexpr std::array words{"phase", "name", "formula", "numbers", "chain", "result", "polar"};
+    if (inside.starts_with('#') || std::ranges::find(words, inside) != words.end()) return std::nullopt;
+    const auto text = placeholder(inside, context);
+    return text ? std::optional(tex_value(*text)) : std::nullopt;
+  }
+  const bool main = inside == "name" && context.value != absent;
+  const auto found = main ? std::optional(Found{context.value, -1}) : resolve(inside, context);
+  if (!found) return std::nullopt;
+  Name name = trace().value(found->value).name;
+  if (found->element >= 0) name = {name.symbol, {found->element, 0}, 1};
+  return tex_name(typeset_name(name, algorithm_at(context.step)));
+}
+
+template <Scalar S>
+std::string Narrator<S>::fill_math(std::string_view tex, const Context& context,
+                                   std::vector<std::string>* errors) const {
+  std::string filled;
+  for (std::size_t i = 0; i < tex.size();) {
+    const std::string_view rest = tex.substr(i);
+    const std::string_view command = rest.starts_with("\\value{") ? "value" : rest.starts_with("\\name{") ? "name" : "";
+    const std::size_t end = command.empty() ? std::string_view::npos : tex.find('}', i);
+    if (end == std::string_view::npos) {
+      filled += tex[i++];
+      continue;
+    }
+    const std::size_t begin = i + command.size() + 2;
+    const std::string_view inside = tex.substr(begin, end - begin);
+    // In braces where it is, or may be, what something takes: x^\value{r} has one exponent.
+    if (const auto replaced = math_placeholder(command, inside, context)) {
+      const char before = filled.empty() ? ' ' : filled.back();
+      const bool bare = !is_word(before) && std::string_view("^_}]").find(before) == std::string_view::npos;
+      filled += bare ? *replaced : "{" + *replaced + "}";
+    } else {
+      filled += tex.substr(i, end - i + 1);
+      if (errors != nullptr) errors->emplace_back(inside);
+    }
+    i = end + 1;
+  }
+  return filled;
+}
+
+template <Scalar S>
 std::string Narrator<S>::fill_in(std::string_view text, const Context& context,
                                  std::vector<std::string>* errors) const {
   std::string filled;
+  std::size_t code = 0;  // up to here a dollar sign is only one
   for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\' && i + 1 < text.size() && (text[i + 1] == '$' || text[i + 1] == '`' || text[i + 1] == '\\')) {
+      filled += text.substr(i++, 2);
+      continue;
+    }
+    if (text[i] == '`' && i >= code) code = end_of_code(text, i).value_or(text.find_first_not_of('`', i));
+    if (text[i] == '$' && i >= code)
+      if (const auto end = end_of_math(text, i)) {
+        filled += fill_math(text.substr(i, *end - i), context, errors);
+        i = *end - 1;
+        continue;
+      }
     const std::size_t end = text[i] == '{' ? text.find('}', i) : std::string_view::npos;
     if (end == std::string_view::npos) {
       filled += text[i];

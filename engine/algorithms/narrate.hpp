@@ -14,7 +14,10 @@
 //   {chain} {result}   formula = numbers = value, and numbers = value, without saying anything twice
 //   {polar}       the polar label of the main value
 //   {r}           an index of the main value, by its name in the algorithm's table; {index}: the phase's index
-// A placeholder that names nothing is a mistake: check_template finds it.
+// In a formula ($...$ and $$...$$, see math.hpp) braces are TeX's. There a placeholder is \value{P[r-1][i]}, which
+// stands for the value in TeX, (3, \frac{1}{2}), and takes what stands for values above: \value{value}, \value{@0},
+// \value{r}, \value{~P[1][0]}; or \name{P[r-1][i]}, which stands for the name as books write it, P_{3}^{(1)}. A dollar
+// sign that begins no formula is written \$. A placeholder that names nothing is a mistake: fill tells it.
 
 #include "algorithms/run.hpp"
 
@@ -65,7 +68,9 @@ class Narrator {
   const ValueSpec::Case* case_at(const Context&) const;
   std::string chain(ValueId, bool with_names) const;
   std::optional<std::string> placeholder(std::string_view inside, const Context&) const;
+  std::optional<std::string> math_placeholder(std::string_view command, std::string_view inside, const Context&) const;
   std::string fill_in(std::string_view text, const Context&, std::vector<std::string>* errors) const;
+  std::string fill_math(std::string_view tex, const Context&, std::vector<std::string>* errors) const;
   struct Found {
     ValueId value;
     int element;  // of a list; -1: the value itself

@@ -112,7 +112,8 @@ Diagnostics as_diagnostics(const KernelError& error) { return {Diagnostic{"", 0,
 
 // Dimension and kind of what is traced: of its curves and surfaces, given and made.
 template <Scalar S>
-void describe(const Inputs<S>& inputs, const Outcome<S>& outcome, int& dimension, bool& rational) {
+void describe(const Algorithm& algorithm, const Inputs<S>& inputs, const Outcome<S>& outcome, int& dimension,
+              bool& rational) {
   const auto curve = [&](const Curve<S>& c) {
     dimension = std::max(dimension, c.dimension);
     rational = rational || c.rational;
@@ -136,6 +137,10 @@ void describe(const Inputs<S>& inputs, const Outcome<S>& outcome, int& dimension
     if (const auto* s = std::get_if<Surface<S>>(&value)) surface(*s);
     if (const auto* row = std::get_if<PointRow<S>>(&value)) dimension = std::max(dimension, row->dimension);
     if (std::holds_alternative<PointNet<S>>(value)) dimension = 3;
+  }
+  if (algorithm.lifts) {
+    dimension = 3;
+    rational = false;
   }
 }
 
@@ -232,7 +237,7 @@ Checked<Run<S>> record(const Algorithm& algorithm, const Inputs<Exact>& inputs) 
     }
     run.trace = std::move(recorder).take();
     if (!is_finite(run.outcome) || !is_finite(run.trace)) return overflow<S>();
-    describe(run.inputs, run.outcome, run.trace.dimension, run.trace.rational);
+    describe(algorithm, run.inputs, run.outcome, run.trace.dimension, run.trace.rational);
     return run;
   });
 }

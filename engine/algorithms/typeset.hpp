@@ -21,6 +21,11 @@ RichText typeset_text(std::string_view text, const Algorithm&);
 
 // The same on one line of plain text, for tooltips and messages: P₂⁽¹⁾, Q₁,₂, u₃, P_i.
 std::string unicode_text(const RichText&);
+
+// In the TeX of formulas (math.hpp): a typeset name, P_{2}^{(1)}; and a value as it is shown, "(3, 1/2)" as
+// (3, \frac{1}{2}).
+std::string tex_name(const RichText&);
+std::string tex_value(std::string_view shown);
 inline std::string plain_name(const Name& name, const Algorithm& algorithm) {
   return unicode_text(typeset_name(name, algorithm));
 }

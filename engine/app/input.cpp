@@ -1,5 +1,6 @@
 #include "app/input.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 #include "lesson/catalog.hpp"
@@ -13,6 +14,10 @@ void add_subject_options(CLI::App& app, SubjectOptions& options) {
       app.add_option("--algorithm", options.algorithm, "Instead of a lesson: an algorithm, see `blossom list`");
   auto* inputs =
       app.add_option("--inputs", options.inputs, "A JSON file with the algorithm's inputs (- is standard input)");
+  app.add_option("--scene", options.scene, "Of a lesson of several scenes: which one, by its id or number")
+      ->needs(lesson);
+  app.add_option("--language", options.language, "Of a lesson in several languages: which one, such as de")
+      ->needs(lesson);
   algorithm->needs(inputs)->excludes(lesson);
   inputs->needs(algorithm);
 }
@@ -52,6 +57,29 @@ Checked<fs::path> find_lesson(const std::string& given) {
   return Diagnostics{{given, 0, 0, "", message}};
 }
 
+namespace {
+
+std::string no_such_scene(const Lesson& lesson, const std::string& given) {
+  std::string message = "this lesson has no scene " + excerpt(given) + ", only ";
+  if (lesson.scene_count() == 1) return message + "one";
+  for (std::size_t i = 0; i < lesson.scene_count(); ++i)
+    message += (i > 0 ? ", " : "") + std::to_string(i + 1) + " (" + lesson.scene_at(i).scene + ")";
+  return message;
+}
+
+bool is_in(const Lesson& lesson, const std::string& language) {
+  return language == lesson.languages.own ||
+         std::ranges::find(lesson.languages.others, language) != lesson.languages.others.end();
+}
+
+std::string languages_of(const Lesson& lesson) {
+  std::string names = lesson.languages.own;
+  for (const std::string& other : lesson.languages.others) names += ", " + other;
+  return names;
+}
+
+}  // namespace
+
 Checked<Subject> load_subject(const SubjectOptions& options) {
   Subject subject;
   if (!options.algorithm.empty()) {
@@ -78,8 +106,19 @@ Checked<Subject> load_subject(const SubjectOptions& options) {
   if (!document) return document.diagnostics;
   auto lesson = load_lesson(*document);
   if (!lesson) return lesson.diagnostics;
-  subject.algorithm = lesson->algorithm;
-  subject.inputs = lesson->inputs;
+  if (!options.scene.empty()) {
+    const auto scene = lesson->find_scene(options.scene);
+    if (!scene) throw CLI::ValidationError("--scene", no_such_scene(*lesson, options.scene));
+    subject.scene = *scene;
+  }
+  if (!options.language.empty()) {
+    if (!is_in(*lesson, options.language))
+      throw CLI::ValidationError("--language", excerpt(options.language) + " is no language of this lesson; it is in " +
+                                                   languages_of(*lesson));
+    if (options.language != lesson->languages.own) subject.language = options.language;
+  }
+  subject.algorithm = lesson->scene_at(subject.scene).algorithm;
+  subject.inputs = lesson->scene_at(subject.scene).inputs;
   subject.lesson = std::move(*lesson);
   subject.document = std::move(*document);
   return subject;

@@ -15,6 +15,8 @@ struct SubjectOptions {
   std::string lesson;
   std::string algorithm;
   std::string inputs;
+  std::string scene;     // of a lesson that has several: its id or number; empty: the first
+  std::string language;  // of what a lesson says; empty: its own
 };
 void add_subject_options(CLI::App&, SubjectOptions&);
 
@@ -22,13 +24,16 @@ struct Subject {
   const Algorithm* algorithm = nullptr;
   Inputs<Exact> inputs;
   std::optional<Lesson> lesson;
+  std::size_t scene = 0;  // of the lesson
+  std::string language;
   JsonDocument document;  // where the inputs stand: it is them, or has them as its member "inputs" if it is a lesson
 
-  std::string title() const { return lesson ? printable(lesson->title) : std::string(algorithm->title); }
+  std::string title() const { return lesson ? printable(lesson->title.in(language)) : std::string(algorithm->title); }
+  const LessonScene* lesson_scene() const { return lesson ? &lesson->scene_at(scene) : nullptr; }
   // The narration of a step: the lesson's, where it has something to say.
   template <Scalar S>
   std::string narration(const Narrator<S>& narrator, std::uint32_t step) const {
-    return lesson ? lesson->narration(narrator, step) : narrator.text(step);
+    return lesson ? lesson_scene()->narration(narrator, step, language) : narrator.text(step);
   }
 };
 // What is wrong in a file is a diagnostic; options that name nothing throw a CLI::ParseError, which is wrong usage.
@@ -41,7 +46,12 @@ Checked<Run<S>> record(const Subject& subject) {
   if (run) return run;
   Diagnostics diagnostics;
   const Cursor root(subject.document, diagnostics);
-  report_at(subject.lesson ? *root.optional("inputs") : root, run.diagnostics);
+  Cursor at = root;
+  if (subject.lesson) {
+    if (const auto scenes = root.optional("scenes")) at = (*scenes)[subject.scene];
+    at = *at.optional("inputs");
+  }
+  report_at(at, run.diagnostics);
   return diagnostics;
 }
 

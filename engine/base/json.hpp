@@ -83,8 +83,8 @@ class Cursor {
   std::size_t error_count() const { return diagnostics_->size(); }
   bool errors_since(std::size_t count) const { return diagnostics_->size() > std::min(count, most_diagnostics); }
 
-  // Objects. expect_object says if this is none, and names every key that is not in `known` (with "did you mean"); true
-  // if it is an object, unknown keys or not.
+  // Objects. expect_object says if this is none, and names every key that is not in `known` (with "did you mean"), but
+  // "$comment", which may stand everywhere, as in JSON Schema; true if it is an object, unknown keys or not.
   bool expect_object(const std::vector<std::string>& known) const;
   std::optional<Cursor> optional(std::string_view key) const;    // nothing when absent, silently
   std::optional<Cursor> required(std::string_view key) const;    // nothing when absent, with a diagnostic

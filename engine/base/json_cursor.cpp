@@ -82,7 +82,7 @@ bool Cursor::expect_object(const std::vector<std::string>& known) const {
   }
   for (std::size_t i = 0; i < json_->keys.size(); ++i) {
     const std::string& key = json_->keys[i];
-    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    if (key == "$comment" || std::find(known.begin(), known.end(), key) != known.end()) continue;
     const auto near = did_you_mean(key, known);
     key_error(i, "unknown key " + excerpt(key) +
                      (near ? "; did you mean " + excerpt(*near) + "?" : "; the keys here are " + list_of(known)));

@@ -45,10 +45,9 @@ std::string form(const InputSpec& spec) {
 
 // The schema of an algorithm's "inputs".
 std::string inputs(const Algorithm& algorithm) {
-  std::string properties, required;
+  std::string properties = "\n        \"$comment\": {" + geometry("comment") + "}", required;
   for (const InputSpec& spec : algorithm.inputs) {
-    properties += properties.empty() ? "\n" : ",\n";
-    properties += "        " + json_quote(spec.name) + R"(: {"description": )" + json_quote(spec.description) + ", " +
+    properties += ",\n        " + json_quote(spec.name) + R"(: {"description": )" + json_quote(spec.description) + ", " +
                   form(spec) + (spec.fallback.empty() ? "" : R"(, "default": )" + std::string(spec.fallback)) + "}";
     if (spec.fallback.empty()) required += (required.empty() ? "" : ", ") + json_quote(spec.name);
   }

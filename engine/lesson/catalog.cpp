@@ -19,9 +19,8 @@ std::vector<std::filesystem::path> json_files(const std::filesystem::path& folde
 }
 
 const CatalogEntry* Catalog::find(std::string_view id) const {
-  const auto found =
-      std::find_if(lessons.begin(), lessons.end(), [&](const auto& entry) { return entry.lesson.id == id; });
-  return found != lessons.end() ? &*found : nullptr;
+  const auto found = by_id.find(id);
+  return found != by_id.end() ? &lessons[found->second] : nullptr;
 }
 
 Catalog load_catalog(const std::filesystem::path& folder) {
@@ -48,6 +47,7 @@ Catalog load_catalog(const std::filesystem::path& folder) {
             excerpt(lesson->id) + " is the id of " + other->file.string() + " already"}});
       continue;
     }
+    catalog.by_id.emplace(lesson->id, catalog.lessons.size());
     catalog.lessons.push_back({file, *std::move(lesson)});
   }
   return catalog;

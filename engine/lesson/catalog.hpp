@@ -2,6 +2,7 @@
 // The lessons of a folder.
 
 #include <filesystem>
+#include <map>
 #include <vector>
 
 #include "lesson/lesson.hpp"
@@ -18,6 +19,8 @@ struct Catalog {
   Diagnostics diagnostics;            // of the files that are no lessons for a mistake in them
 
   const CatalogEntry* find(std::string_view id) const;  // or nullptr
+
+  std::map<std::string, std::size_t, std::less<>> by_id;  // places in `lessons`
 };
 
 // The *.json of the folder itself, by name, except JSON Schemas (*.schema.json). A folder that cannot be read is a

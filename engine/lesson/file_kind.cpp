@@ -51,7 +51,7 @@ FileKind file_kind(const Json& root) {
     if (const FileKind kind = kind_of_schema(schema->text); kind != FileKind::unknown) return kind;
   if (const Json* schema = root.find("$schema"); schema != nullptr && schema->kind == Json::Kind::string)
     if (schema->text.find("json-schema.org") != std::string::npos) return FileKind::schema;
-  if (root.find("beats") != nullptr) return FileKind::lesson;
+  if (root.find("beats") != nullptr || root.find("scenes") != nullptr) return FileKind::lesson;
   if (root.find("ask") != nullptr) return FileKind::exercise;
   if (root.find("exercises") != nullptr) return root.find("score") != nullptr ? FileKind::result : FileKind::assignment;
   if (root.find("answers") != nullptr) return FileKind::answers;

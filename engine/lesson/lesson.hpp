@@ -1,19 +1,21 @@
 #pragma once
-// A lesson: an algorithm, inputs for it, and what a teacher says on the way.
+// A lesson: an algorithm, inputs for it, and what a teacher says on the way; or several such scenes in a row.
 //
 //   {"schema": "blossom.lesson/1", "id": "de-casteljau", "title": "...", "algorithm": "de_casteljau",
 //    "inputs": {"curve": {...}, "u": "2/5"},
-//    "unit"?: "...", "summary"?: "...", "source"?: "...", "minutes"?: 10,
-//    "beats": [{"at": "P[1][0]", "say": "Walk {u} of the way ...", "highlight"?: ["P[0][0..1]"]}, ...],
+//    "unit"?, "summary"?, "source"?, "minutes"?: 10, "objectives"?: [text, ...], "prerequisites"?: [lesson ids],
+//    "exercises"?: [exercise ids], "language"?: "en", "languages"?: ["de", ...], "colors"?: see colors.hpp,
+//    "beats": [{"at": place, "say": text, "highlight"?: ["P[0][0..1]"], "camera"?, "pause"?, "sliders"?,
+//               "checkpoint"?}, ...],
 //    "predict"?: {"ask"?: ["P[1][*]", "C"], "marking"?: "at-once" | "at-end"}}
 //
-// A beat stands at one step of the run and replaces the algorithm's own narration there. "at" is
-//   a selector          the step that makes the first value it matches
-//   "start", "end"      the step that shows the inputs; the last step
-//   {"step": n}         the step n
-//   {"phase": label}    the step that introduces this phase: "parameters", "raise[1]", "raise[1].decompose"
-// "say" is a template (see algorithms/narrate.hpp); "highlight" selects values made up to that step. The beats are in
-// the order of their steps, at most one at each.
+// With "scenes": [{"id", "title", "algorithm", "inputs", "beats", "predict"?}, ...] instead of algorithm, inputs, beats
+// and predict it has several. Texts may be in several languages (local_text.hpp).
+//
+// A beat stands at one step of the run ("at": see place.hpp) and replaces the algorithm's own narration there; one at
+// {"every": selector} stands at several, where no other beat does. "say" is a template (algorithms/narrate.hpp) of what
+// prose.hpp reads; "highlight" selects values made up to that step. The beats are in the order of their steps, at most
+// one at each. beat.hpp and checkpoint.hpp describe the rest. A "$comment" is for who reads the file, anywhere.
 //
 // "predict" says which values a student is asked to predict (selectors; without them what exercises about the algorithm
 // usually ask) and when the predictions are marked (without it at once).
@@ -21,30 +23,16 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/narrate.hpp"
-#include "base/json.hpp"
+#include "lesson/beat.hpp"
+#include "lesson/colors.hpp"
 #include "lesson/document.hpp"
-#include "lesson/place.hpp"
+#include "lesson/prose.hpp"
 
 namespace blossom {
 
-struct Beat {
-  std::uint32_t step = 0;
-  std::string say;                  // the template
-  std::vector<ValueId> highlights;  // in the order they are made
-
-  // As the file says it, to be looked for again in another run.
-  Place at;
-  std::vector<std::string> selectors;  // of the highlights
-};
-
-struct Lesson {
-  std::string id;
-  std::string title;
-  std::string unit;     // which part of a course it belongs to
-  std::string summary;  // one sentence
-  std::string source;   // where to read on
-  int minutes = 0;      // how long it takes; 0: not said
+struct LessonScene {
+  std::string scene;  // its id; empty: the only one
+  LocalText heading;  // likewise
   const Algorithm* algorithm = nullptr;
   Inputs<Exact> inputs;
   std::vector<Beat> beats;        // by step
@@ -55,27 +43,39 @@ struct Lesson {
   const Beat* beat_at(std::uint32_t step) const;
   // What is said at this step of a run of this lesson: its beat's text filled in, or the algorithm's own narration.
   template <Scalar S>
-  std::string narration(const Narrator<S>& narrator, std::uint32_t step) const {
+  std::string narration(const Narrator<S>& narrator, std::uint32_t step, std::string_view language = {}) const {
     const Beat* beat = beat_at(step);
-    return beat != nullptr ? narrator.fill(beat->say, step) : narrator.text(step);
+    return beat != nullptr ? narrator.fill(beat->say.in(language), step) : narrator.text(step);
   }
 };
 
-// The lesson's beats in another run of its algorithm: those whose place is there, by step. Of several that come to
-// stand at one step the first is kept, and of highlights what is made up to there.
-std::vector<Beat> resolve_beats(const Lesson&, const TraceGraph&);
+// A lesson is its first scene; most have no other.
+struct Lesson : LessonScene {
+  std::string id;
+  LocalText title;
+  LocalText unit;     // which part of a course it belongs to
+  LocalText summary;  // one sentence
+  std::string source;  // where to read on
+  int minutes = 0;     // how long it takes; 0: not said
+  std::vector<LocalText> objectives;
+  std::vector<std::string> prerequisites;  // ids of lessons
+  std::vector<std::string> exercises;      // ids
+  Languages languages;
+  LessonColors colors;
+  std::vector<LessonScene> others;
 
-// The placeholders of a beat's text that name nothing at this step of a run.
-template <Scalar S>
-std::vector<std::string> unresolved(const std::string& say, const Narrator<S>& narrator, std::uint32_t step) {
-  std::vector<std::string> unknown;
-  narrator.fill(say, step, &unknown);
-  return unknown;
-}
-// Where a brace of the text is left open, if one is.
-std::optional<std::size_t> open_brace(std::string_view say);
+  std::size_t scene_count() const { return 1 + others.size(); }
+  const LessonScene& scene_at(std::size_t i) const { return i == 0 ? *this : others[i - 1]; }
+  // The scene of this id or number (from 1); nothing if there is none.
+  std::optional<std::size_t> find_scene(std::string_view) const;
+};
 
-// Every mistake of the file at once. Runs the lesson (in exact arithmetic) to know its values.
+// The beats of a scene in another run of its algorithm: those whose place is there, by step. Of several that come to
+// stand at one step the first is kept, one at "every" step only where no other stands; and of highlights what is made
+// up to there.
+std::vector<Beat> resolve_beats(const LessonScene&, const TraceGraph&);
+
+// Every mistake of the file at once. Runs the scenes (in exact arithmetic) to know their values.
 Checked<Lesson> load_lesson(const JsonDocument&);
 
 }  // namespace blossom

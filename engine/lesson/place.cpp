@@ -26,30 +26,52 @@ std::string path_of(const TraceGraph& trace, std::uint32_t phase) {
   return path;
 }
 
-std::optional<Place> read_numbered(const Cursor& at) {
-  if (!at.expect_object({"step", "phase"})) return std::nullopt;
-  const auto step = at.optional("step");
-  const auto phase = at.optional("phase");
-  if (step.has_value() == phase.has_value()) {
-    at.error(R"(must have either "step" or "phase")");
+std::optional<Place> read_object(const Cursor& at) {
+  static const std::vector<std::pair<std::string, Place::Kind>> kinds{
+      {"last", Place::Kind::last},   {"every", Place::Kind::every}, {"level", Place::Kind::level},
+      {"phase", Place::Kind::phase}, {"after", Place::Kind::after}, {"step", Place::Kind::step}};
+  std::vector<std::string> keys;
+  for (const auto& [key, kind] : kinds) keys.push_back(key);
+  if (!at.expect_object(keys)) return std::nullopt;
+  std::optional<Cursor> found;
+  Place place;
+  for (const auto& [key, kind] : kinds) {
+    const auto here = at.optional(key);
+    if (!here) continue;
+    if (found) {
+      here->error("must be the only key of its place");
+      return std::nullopt;
+    }
+    found = here;
+    place.kind = kind;
+  }
+  if (!found) {
+    at.error(R"(must have one of "last", "every", "level", "phase", "after" and "step")");
     return std::nullopt;
   }
-  if (phase) {
-    auto label = phase->string();
-    if (!label) return std::nullopt;
-    return Place{Place::Kind::phase, 0, *std::move(label)};
+  if (place.kind == Place::Kind::step || place.kind == Place::Kind::level) {
+    const auto number = found->integer(0, highest_step);
+    if (!number) return std::nullopt;
+    place.step = static_cast<std::uint32_t>(*number);
+    return place;
   }
-  const auto number = step->integer(0, highest_step);
-  if (!number) return std::nullopt;
-  return Place{Place::Kind::step, static_cast<std::uint32_t>(*number), {}};
+  auto text = found->string();
+  if (!text) return std::nullopt;
+  std::string error;
+  if ((place.kind == Place::Kind::last || place.kind == Place::Kind::every) && !Selector::parse(*text, error)) {
+    found->error("is no selector: " + error);
+    return std::nullopt;
+  }
+  place.text = *std::move(text);
+  return place;
 }
 
 }  // namespace
 
 std::optional<Place> read_place(const Cursor& at) {
-  if (at.is(Json::Kind::object)) return read_numbered(at);
+  if (at.is(Json::Kind::object)) return read_object(at);
   if (!at.is(Json::Kind::string)) {
-    at.error(R"(must be a selector such as "P[1][0]", "start", "end", {"step": 3} or {"phase": "parameters"})");
+    at.error(R"(must be a selector such as "P[1][0]", "start", "end", or an object such as {"phase": "parameters"} or {"step": 3})");
     return std::nullopt;
   }
   const std::string& text = at.json().text;
@@ -64,46 +86,86 @@ std::optional<Place> read_place(const Cursor& at) {
 }
 
 std::string write_place(const Place& place) {
+  const auto object = [](const char* key, const std::string& value) {
+    return "{\"" + std::string(key) + "\": " + value + "}";
+  };
   switch (place.kind) {
     case Place::Kind::start:
       return "\"start\"";
     case Place::Kind::end:
       return "\"end\"";
     case Place::Kind::step:
-      return "{\"step\": " + std::to_string(place.step) + "}";
+      return object("step", std::to_string(place.step));
+    case Place::Kind::level:
+      return object("level", std::to_string(place.step));
     case Place::Kind::phase:
-      return "{\"phase\": " + json_quote(place.text) + "}";
+      return object("phase", json_quote(place.text));
+    case Place::Kind::after:
+      return object("after", json_quote(place.text));
+    case Place::Kind::last:
+      return object("last", json_quote(place.text));
+    case Place::Kind::every:
+      return object("every", json_quote(place.text));
     case Place::Kind::value:
       return json_quote(place.text);
   }
   return {};
 }
 
-std::optional<std::uint32_t> step_of(const Place& place, const TraceGraph& trace) {
+std::vector<std::uint32_t> steps_of(const Place& place, const TraceGraph& trace) {
+  std::vector<std::uint32_t> steps;
+  const auto add_phase = [&](bool after) {
+    for (std::uint32_t phase = 0; steps.empty() && phase < trace.phases().size(); ++phase)
+      if (ends_with_labels(path_of(trace, phase), place.text))
+        steps.push_back(after ? trace.phases()[phase].last_step + 1 : trace.phases()[phase].first_step);
+    if (!steps.empty() && steps.back() >= trace.step_count()) steps.clear();
+  };
   switch (place.kind) {
     case Place::Kind::start:
-      return 0;
+      return {0};
     case Place::Kind::end:
-      return trace.step_count() - 1;
+      return {trace.step_count() - 1};
     case Place::Kind::step:
-      return place.step < trace.step_count() ? std::optional(place.step) : std::nullopt;
+      if (place.step < trace.step_count()) steps.push_back(place.step);
+      break;
     case Place::Kind::phase:
-      for (std::uint32_t phase = 0; phase < trace.phases().size(); ++phase)
-        if (ends_with_labels(path_of(trace, phase), place.text)) return trace.phases()[phase].first_step;
-      return std::nullopt;
-    case Place::Kind::value: {
+    case Place::Kind::after:
+      add_phase(place.kind == Place::Kind::after);
+      break;
+    case Place::Kind::level:
+      for (ValueId v = 0; steps.empty() && v < trace.value_count(); ++v)
+        if (const Name& name = trace.value(v).name;
+            !trace.is_input(v) && name.arity == 2 && name.index[0] == static_cast<int>(place.step))
+          steps.push_back(trace.value(v).step);
+      break;
+    case Place::Kind::value:
+    case Place::Kind::last:
+    case Place::Kind::every: {
       std::string error;
       const auto selector = Selector::parse(place.text, error);
-      for (ValueId v = 0; selector && v < trace.value_count(); ++v)
-        if (selector->matches(trace, v)) return trace.value(v).step;
-      return std::nullopt;
+      for (ValueId v = 0; selector && v < trace.value_count(); ++v) {
+        if (!selector->matches(trace, v)) continue;
+        const std::uint32_t step = trace.value(v).step;
+        if (steps.empty() || steps.back() != step) steps.push_back(step);
+        if (place.kind == Place::Kind::value) break;
+      }
+      if (place.kind == Place::Kind::last && steps.size() > 1) steps = {steps.back()};
+      break;
     }
   }
-  return std::nullopt;
+  return steps;
+}
+
+std::optional<std::uint32_t> step_of(const Place& place, const TraceGraph& trace) {
+  const auto steps = steps_of(place, trace);
+  return steps.empty() ? std::nullopt : std::optional(steps.front());
 }
 
 std::string why_nowhere(const Place& place, const TraceGraph& trace) {
-  if (place.kind == Place::Kind::phase) {
+  if (place.kind == Place::Kind::level) return "no value of this run is of level " + std::to_string(place.step);
+  if (place.kind == Place::Kind::phase || place.kind == Place::Kind::after) {
+    const auto known = step_of({Place::Kind::phase, 0, place.text}, trace);
+    if (place.kind == Place::Kind::after && known) return "nothing comes behind " + excerpt(place.text) + " in this run";
     std::vector<std::string> labels;
     for (std::uint32_t phase = 0; phase < trace.phases().size(); ++phase) {
       labels.push_back(trace.phases()[phase].label());

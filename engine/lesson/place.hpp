@@ -11,10 +11,19 @@
 
 namespace blossom {
 
+// In files:
+//   "start", "end"      the step that shows the inputs; the last step
+//   a selector          the step that makes the first value it matches: "P[2][*]"
+//   {"last": selector}  the one that makes the last
+//   {"every": selector} each step that makes one (several steps: see steps_of)
+//   {"level": r}        the first step that makes a value of level r, which is its first index called r
+//   {"phase": label}    the step that introduces this phase: "parameters", "raise[1]", "raise[1].decompose"
+//   {"after": label}    the first step behind it
+//   {"step": n}         the step n
 struct Place {
-  enum class Kind : std::uint8_t { start, end, step, phase, value };
+  enum class Kind : std::uint8_t { start, end, step, phase, after, value, last, every, level };
   Kind kind = Kind::start;
-  std::uint32_t step = 0;  // of kind step
+  std::uint32_t step = 0;  // of kind step; the level
   std::string text;        // a phase's labels, or a selector, which is known to be one
 
   bool operator==(const Place&) const = default;
@@ -25,8 +34,10 @@ std::optional<Place> read_place(const Cursor& at);
 // The JSON text that read_place reads.
 std::string write_place(const Place&);
 
-// The step of this place in a run; nothing if the run has no such place.
+// The step of this place in a run, of several the first; nothing if the run has no such place.
 std::optional<std::uint32_t> step_of(const Place&, const TraceGraph&);
+// All of them, ascending.
+std::vector<std::uint32_t> steps_of(const Place&, const TraceGraph&);
 // Why the run, which has no such place, has none; and what may be meant.
 std::string why_nowhere(const Place&, const TraceGraph&);
 

@@ -11,14 +11,23 @@
 
 namespace blossom {
 
+void Document::show_scene(std::size_t which) {
+  const LessonScene& shown = lesson->scene_at(which);
+  scene = which;
+  algorithm = shown.algorithm;
+  inputs = shown.inputs;
+  marking = shown.marking;
+  asks = shown.asks;
+}
+
 std::string Document::id() const {
   if (lesson) return lesson->id;
   if (grader) return grader->exercise().id;
   return file.empty() ? std::string(algorithm->id) : file.stem().string();
 }
 
-std::string Document::title() const {
-  if (lesson) return printable(lesson->title);
+std::string Document::title(std::string_view language) const {
+  if (lesson) return printable(lesson->title.in(language));
   if (grader) return printable(grader->exercise().title);
   if (!called.empty()) return called;
   return file.empty() ? std::string(algorithm->title) : printable(file.filename().string());
@@ -41,11 +50,8 @@ void read_as_lesson(Document& document, Diagnostics& diagnostics) {
     return;
   }
   document.kind = Document::Kind::lesson;
-  document.algorithm = lesson->algorithm;
-  document.inputs = lesson->inputs;
-  document.marking = lesson->marking;
-  document.asks = lesson->asks;
   document.lesson = std::move(*lesson);
+  document.show_scene(0);
 }
 
 void read_as_exercise(Document& document, Diagnostics& diagnostics) {
@@ -168,7 +174,7 @@ Checked<Document> example_document(std::string_view algorithm, const std::filesy
     if (about == nullptr || about->text != algorithm) continue;
     auto lesson = load_lesson(*json);
     if (!lesson) continue;  // one with mistakes is no example
-    document.inputs = std::move(lesson->inputs);
+    document.inputs = std::move(static_cast<LessonScene&>(*lesson).inputs);
     return document;
   }
   diagnostics.push_back(

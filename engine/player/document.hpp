@@ -2,6 +2,7 @@
 // A file one can open in the player: a lesson, an exercise, a trace, a file of inputs or of one curve.
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -19,13 +20,16 @@ struct Document {
   const Algorithm* algorithm = nullptr;
   Inputs<Exact> inputs;
   std::optional<Lesson> lesson;
+  std::size_t scene = 0;  // of the lesson, which this run is of
   std::shared_ptr<const Grader> grader;  // of an exercise
   Marking marking = Marking::at_once;
   std::string called;             // its title, where neither a lesson nor a file says one
   std::vector<std::string> asks;  // what a lesson has predicted; empty: what its algorithm usually asks
 
+  const LessonScene* lesson_scene() const { return lesson ? &lesson->scene_at(scene) : nullptr; }
+  void show_scene(std::size_t);  // of its lesson
   std::string id() const;
-  std::string title() const;  // printable
+  std::string title(std::string_view language = {}) const;  // printable
 };
 
 // Every mistake of the file at once. `algorithm` is for a file of inputs (or of a curve), which does not name one; a
@@ -38,6 +42,8 @@ Checked<Document> example_document(std::string_view algorithm, const std::filesy
 // The document as the file of a new lesson with these inputs. Left out are beats whose place is no longer there or
 // whose words name a value that is not, and likewise highlights and asks; an exercise's prompt becomes the first beat.
 // The id and the title are made such as a lesson may have.
-std::string as_lesson(const Document&, const Inputs<Exact>&, const std::string& id, const std::string& title);
+// Of a lesson of several scenes the others stay as they are, but for the inputs of those that are `edited`, too.
+std::string as_lesson(const Document&, const Inputs<Exact>&, const std::string& id, const std::string& title,
+                      const std::map<std::size_t, Inputs<Exact>>& edited = {});
 
 }  // namespace blossom

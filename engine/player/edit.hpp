@@ -57,6 +57,11 @@ Edited set_number(const Algorithm&, const Inputs<Exact>&, std::string_view input
 Edited set_integer(const Algorithm&, const Inputs<Exact>&, std::string_view input, int);
 Edited set_choice(const Algorithm&, const Inputs<Exact>&, std::string_view input, std::string_view choice);
 
+// The number at a path into the inputs as a file has them: "u", "curve.points[1][0]", "curve.knots[4]"; nothing where
+// there is none. Put in its place, it goes through the readers of files; the other inputs are made to fit.
+std::optional<Exact> number_at(const Inputs<Exact>&, std::string_view path);
+Edited set_number_at(const Algorithm&, const Inputs<Exact>&, std::string_view path, const Exact&);
+
 // The nearest number with so few decimals that it is as fine as `unit` (a pixel in the world) and no finer: what a drag
 // means. With `grid` > 0: the nearest multiple of it.
 Exact snapped(double value, double unit, double grid = 0);

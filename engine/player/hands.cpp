@@ -154,7 +154,7 @@ bool Player::asks_place() const {
   const auto question = asked();
   if (!question) return false;
   const Prediction& prediction = *session_->prediction();
-  const Question& asks = prediction.questions()[*question];
+  const AskedValue& asks = prediction.questions()[*question];
   return asks.step > session_->step() && asks.kind == ValueKind::point && asks.form == Form::affine &&
          !prediction.finished();
 }
@@ -170,7 +170,7 @@ void Player::predict_click(const glm::dvec3& place) {
 std::optional<glm::dvec3> Player::said_place(std::size_t question) const {
   const Prediction* prediction = session_ ? session_->prediction() : nullptr;
   if (prediction == nullptr || question >= prediction->questions().size()) return std::nullopt;
-  const Question& asks = prediction->questions()[question];
+  const AskedValue& asks = prediction->questions()[question];
   if (asks.kind != ValueKind::point || asks.form != Form::affine) return std::nullopt;
   const auto& attempt = prediction->attempt(question);
   if (attempt && attempt->shown) return std::nullopt;

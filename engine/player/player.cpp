@@ -38,7 +38,11 @@ Player::Player(PlayerOptions options, Desk& desk) : options_(std::move(options))
 
 Player::~Player() {
   // What is unsaved when somebody quits was given up on purpose; when the system ends the player, it is offered again.
-  if (session_ && quit_) session_->mark_saved();
+  if (quit_) {
+    if (session_) session_->mark_saved();
+    for (const auto& parked : parked_)
+      if (parked) parked->mark_saved();
+  }
   if (studio_ && quit_) studio_->mark_saved(studio_->file());
   keep();
 }
@@ -71,6 +75,8 @@ bool Player::begin(Document document) {
   }
   remember_progress();
   session_ = std::move(*session);
+  session_->speak(settings.language);
+  forget_lesson();
   dismiss_problems();
   forget_what_was_about();
   dialog = Dialog::none;
@@ -79,15 +85,9 @@ bool Player::begin(Document document) {
   session_->move([&](Timeline& t) { return t.set_speed(settings.speed), false; });
   if (!file.empty()) {
     remember_file(file);
-    if (const Progress* known = progress(file)) {
-      session_->set_bookmarks(known->bookmarks);
-      if (known->step > 0 && known->step < known->last && known->last == session_->last()) {
-        session_->seek(known->step);
-        if (session_->document().kind != Document::Kind::exercise)
-          notice("Going on at step " + std::to_string(known->step) + "; Home is the beginning.");
-      }
-    }
+    go_on_where_one_was(file);
   }
+  enter_scene();
   if (session_->document().kind == Document::Kind::exercise)
     if (auto wrong = session_->start_prediction(); !wrong.empty())
       show_problems("This exercise cannot be answered here", std::move(wrong));
@@ -124,7 +124,7 @@ void Player::unless_unsaved(std::function<void(Player&)> then) {
 void Player::unless_session_unsaved(std::function<void(Player&)> then) {
   // What one practised in a lesson is not handed in.
   const bool answers = answers_unsaved() && session_->document().kind == Document::Kind::exercise;
-  if (!session_ || (!session_->unsaved() && !answers)) return then(*this);
+  if (!session_ || (!unsaved() && !answers)) return then(*this);
   after_unsaved_ = std::move(then);
   asks_about_scene_ = false;
   dialog = Dialog::unsaved;
@@ -151,6 +151,8 @@ void Player::cancel_dialog() {
 void Player::close() {
   remember_progress();
   session_.reset();
+  parked_.clear();
+  cancel_export();
   studio_.reset();
   held_.reset();
   watch_ = scene_watch_ = FileWatch();
@@ -171,13 +173,20 @@ void Player::recover_now(std::size_t which) {
   auto document = parsed ? read_document(std::move(*parsed)) : Checked<Document>(parsed.diagnostics);
   if (!document) return show_problems("The recovered edits cannot be opened", std::move(document.diagnostics));
   // The original stays what the edits are edits of, if it can still be read.
-  const Inputs<Exact> edited = document->inputs;
+  std::vector<Inputs<Exact>> edited{document->inputs};
+  for (std::size_t i = 1; document->lesson && i < document->lesson->scene_count(); ++i)
+    edited.push_back(document->lesson->scene_at(i).inputs);
   auto original = lost.origin.empty() ? Checked<Document>() : open_document(lost.origin, document->algorithm->id);
   const bool has_original = original && original->algorithm == document->algorithm;
   if (has_original) document = std::move(original);
   if (!open(std::move(*document))) return;
+  // The scene that was edited last is the one that is shown.
+  for (std::size_t i = std::min(scene_count(), edited.size()); i-- > 0;) {
+    if (scene_count() > 1 && edited[i] == session_->document().lesson->scene_at(i).inputs) continue;
+    show_scene(i);
+    if (!edit(Edited(edited[i]), "recovered edits")) return;
+  }
   session_->seek(lost.step);
-  if (!edit(Edited(edited), "recovered edits")) return;
   if (!has_original) session_->mark_never_saved();
   keep();  // they are in an autosave of our own before the old one goes
   forget_lost(which);
@@ -253,6 +262,7 @@ const Emphasis& Player::emphasis() const {
 
 void Player::set_camera(const std::optional<Camera>& camera) {
   glide_.reset();
+  camera_is_lessons_ = false;
   camera_ = camera;
 }
 
@@ -269,6 +279,7 @@ Camera Player::shown_camera() const {
 void Player::glide_to(const std::optional<Camera>& to) {
   const Camera from = shown_camera();
   glide_.reset();
+  camera_is_lessons_ = false;
   camera_ = to;
   if (settings.reduced_motion) return;
   glide_ = Glide{from, shown_camera(), !to, 0};
@@ -279,9 +290,11 @@ void Player::glide_to(const std::optional<Camera>& to) {
 
 void Player::save_lesson(const fs::path& file, const std::string& id, const std::string& title) {
   if (!session_) return;
-  const auto saved = write_file(file, as_lesson(session_->document(), session_->inputs(), id, title));
+  const auto saved = write_file(file, as_lesson(session_->document(), session_->inputs(), id, title, parked_edits()));
   if (!saved) return show_problems("The lesson could not be saved", saved.diagnostics);
   session_->mark_saved();
+  for (const auto& parked : parked_)
+    if (parked) parked->mark_saved();
   dialog = Dialog::none;
   notice("Saved as " + printable(file.string()));
   if (after_unsaved_) proceed_after_unsaved(*this);
@@ -301,7 +314,7 @@ void Player::save_picture(const fs::path& file) {
   }
   if (!session_) return;
   PageOptions options;
-  options.title = session_->document().title();
+  options.title = title();
   const Scene page = session_->recording().scenes().page(session_->step(), session_->words().text, options);
   const auto saved = desk_->save_picture(page, file);
   if (!saved) return show_problems("The picture could not be saved", saved.diagnostics);
@@ -323,6 +336,8 @@ void Player::save_answers(const fs::path& file) {
 void Player::step_changed() {
   motion_ = settings.reduced_motion ? 1 : 0;
   to_keep_ = true;
+  stay_left_ = 0;
+  follow_lesson();
 }
 
 void Player::settle() {
@@ -346,6 +361,8 @@ void Player::settle() {
     curve = std::min(curve, std::max<std::size_t>(now->source().curves.size(), 1) - 1);
   }
   linked_ = now;
+  session_->speak(settings.language);
+  follow_lesson();
 }
 
 void Player::seek_value(ValueId v) {
@@ -375,12 +392,11 @@ bool Player::animating() const {
 bool Player::advance(double seconds) {
   bool changed = false;
   if (session_ && session_->timeline().playing()) {
-    move([&](Timeline& t) {
-      t.set_speed(settings.speed);
-      return t.advance(seconds);
-    });
+    play_on(seconds);
     changed = true;
   }
+  skip_asked_for_ += seconds;
+  if (take_export_news()) changed = true;
   if (motion_ < 1) {
     // At a high speed the motion fits into the step.
     const bool playing = session_ && session_->timeline().playing();
@@ -446,10 +462,7 @@ void Player::look_at_disk() {
     held_ = Held{StuckGrip{}, {}, {}, true, true};
   }
   const bool other = document->algorithm != &session_->algorithm();
-  if (auto wrong = session_->reload(std::move(*document)); !wrong.empty()) {
-    show_problems(printable(file.filename().string()) + " was changed and cannot be run", std::move(wrong));
-    return;
-  }
+  if (!reload_scenes(std::move(*document))) return;
   dismiss_problems();
   if (other) forget_what_was_about();
   settle();
@@ -461,10 +474,20 @@ void Player::remember_progress() {
   if (!session_ || session_->document().file.empty()) return;
   Progress& known = progress_[session_->document().file.string()];
   known.seen = 0;  // now
+  if (scene_count() > 1) {
+    known.scene = session_->document().lesson_scene()->scene;
+    known.scene_count = static_cast<std::uint32_t>(scene_count());
+    static_cast<ScenePlace&>(known) = known.scenes[known.scene];
+  }
   known.step = session_->step();
   known.last = session_->last();
   known.furthest = std::max(known.furthest, known.step);
   known.bookmarks = session_->bookmarks();
+  if (scene_count() > 1) known.scenes[known.scene] = known;
+  known.answers = checkpoints_.answers();
+  known.skipped = checkpoints_.skipped();
+  known.asked = static_cast<std::uint32_t>(checkpoints_.items().size());
+  known.right = static_cast<std::uint32_t>(checkpoints_.right());
   if (const Prediction* prediction = session_->prediction())
     if (const auto grade = prediction->grade()) known.best_score = std::max(known.best_score, grade->score());
 }
@@ -485,11 +508,12 @@ void Player::keep() {
   kept_settings_ = settings;
   if (options_.places.state.empty()) return;
   note(save_progress(options_.places, progress_));
-  if (session_ && session_->unsaved()) {
+  if (session_ && unsaved()) {
     const Document& document = session_->document();
-    note(write_autosave(options_.places,
-                        {autosave_, document.file, document.title(),
-                         as_lesson(document, session_->inputs(), document.id(), document.title()), session_->step()}));
+    note(write_autosave(
+        options_.places,
+        {autosave_, document.file, document.title(),
+         as_lesson(document, session_->inputs(), document.id(), document.title(), parked_edits()), session_->step()}));
   } else {
     discard({autosave_, {}, {}, {}, 0});
   }

@@ -4,6 +4,8 @@
 
 #include <functional>
 
+#include "player/checkpoints.hpp"
+#include "player/export_job.hpp"
 #include "player/grip.hpp"
 #include "player/influence.hpp"
 #include "player/session.hpp"
@@ -42,15 +44,18 @@ enum class Dialog : std::uint8_t {
   recover,  // edits that a crash left behind
   unsaved,  // before edits are lost
   save_scene,
-  step_with,    // which algorithm is to run on what is chosen in the studio
-  import_file,  // another program's file into the scene
-  export_file,  // the scene for another program
+  step_with,         // which algorithm is to run on what is chosen in the studio
+  import_file,       // another program's file into the scene
+  export_file,       // the scene for another program
+  export_lesson,     // pictures, films, pages
+  save_checkpoints,  // the answers to a lesson's questions
 };
 
 struct PlayerOptions {
   Places places;
-  std::filesystem::path lessons, exercises;  // the shipped ones
-  bool watch = true;                         // files on disk
+  std::filesystem::path lessons, exercises;          // the shipped ones
+  bool watch = true;                                 // files on disk
+  std::filesystem::path program = "/proc/self/exe";  // that exports lessons
 };
 
 class Player {
@@ -78,6 +83,56 @@ class Player {
   const std::vector<Autosave>& lost_work() const { return lost_; }
   void recover(std::size_t which);  // asks first when other edits would be lost
   void forget_lost(std::size_t which);
+
+  // ---- a lesson --------------------------------------------------------------------------------------------------
+  std::string title() const;  // in the language one reads
+  std::string_view language() const { return settings.language; }
+  std::vector<std::string> languages() const;  // of what is open, its own first; one or none: nothing to choose
+  void choose_next_language();
+  // Its scenes. What is edited in one of them stays while one is in another.
+  std::size_t scene_count() const;
+  std::size_t scene() const;
+  std::string scene_heading(std::size_t) const;
+  void show_scene(std::size_t);
+  bool unsaved() const;  // in any of them
+  // Playing stopped here because the beat says so.
+  bool waits_here() const { return session_ && waiting_ == session_->step() && !session_->timeline().playing(); }
+  // The sliders of the beat. An edit that is refused is kept as what is said, and nothing else changes.
+  const std::vector<Slider>& sliders() const;
+  void slide(std::size_t slider, const Exact& to);
+  void slide_by(std::size_t slider, int steps);
+  void end_slide();
+  struct Refusal {
+    std::size_t slider = SIZE_MAX;
+    std::string why;
+  };
+  const Refusal& slide_refused() const { return slide_refused_; }
+  // Its questions. While one is open no step behind it is shown without asking.
+  Checkpoints& checkpoints() { return checkpoints_; }
+  const Checkpoints& checkpoints() const { return checkpoints_; }
+  std::optional<std::size_t> checkpoint() const;  // of this step
+  bool asks_to_skip() const { return session_ && skip_asked_ == session_->step() && checkpoint().has_value(); }
+  bool has_all_been_said() const;  // the last step of the last scene
+  void submit_checkpoint();
+  bool wants_checkpoint_key(std::string_view key) const;
+  void checkpoint_key(std::string_view key);
+  // What a text of this step's beat says, filled in, in the language one reads; a text of prose.hpp.
+  std::string beat_text(const LocalText&) const;
+  void submit_checkpoint_line(int line);
+  void skip_checkpoint();
+  void stay_at_checkpoint();
+  bool checkpoint_asks(Checkpoint::Kind) const;  // and takes an answer now
+  bool checkpoint_asks_place() const;            // of which a click in the picture is the answer
+  void checkpoint_click(const glm::dvec3& place);
+  void save_checkpoints(const std::filesystem::path&);
+  void go_to_checkpoint(std::size_t);
+
+  // ---- exporting -------------------------------------------------------------------------------------------------
+  // By another process; what is edited is what is exported. `options` are those of `blossom export`.
+  void export_lesson(const std::string& format, const std::filesystem::path& out, std::vector<std::string> options);
+  const ExportJob* exporting() const { return export_ ? &*export_ : nullptr; }
+  void cancel_export();
+  void wait_for_export();
 
   // ---- the studio -------------------------------------------------------------------------------------------------
   // The scene one designs, if there is one; it stays behind what is stepped from it.
@@ -124,8 +179,8 @@ class Player {
   // ---- how it is looked at ----------------------------------------------------------------------------------------
   const std::optional<Camera>& camera() const { return camera_; }  // nothing: all of it, fitted
   void set_camera(const std::optional<Camera>&);
-  void glide_to(const std::optional<Camera>&);              // there, in a moment (at once with reduced motion)
-  void set_view_size(ViewSize size) { view_size_ = size; }  // told by the viewport
+  void glide_to(const std::optional<Camera>&);  // there, in a moment (at once with reduced motion)
+  void set_view_size(ViewSize);                 // told by the viewport
   ViewSize view_size() const { return view_size_; }
   Camera shown_camera() const;
   double motion() const { return motion_; }  // how far the step has come, 0 to 1
@@ -216,15 +271,34 @@ class Player {
   // Moves in the timeline, with all that follows from it. While one predicts, not beyond an open question.
   template <class Move>
   void move(Move&& how) {
-    if (session_ && session_->move(std::forward<Move>(how))) step_changed();
-    stay_before_question();
+    move_as(std::forward<Move>(how), true);
   }
+  void scrub(std::uint32_t step);  // by the mouse, which skips no question
   void seek(std::uint32_t step);
   void seek_value(ValueId);  // the step that makes it
   // An edit, with all that follows from it.
   bool edit(Edited, const std::string& what, const std::string& gesture = {});
 
  private:
+  template <class Move>
+  void move_as(Move&& how, bool may_skip) {
+    if (!session_) return;
+    const std::uint32_t before = session_->step();
+    const bool moved = session_->move(std::forward<Move>(how));
+    const bool kept = moved && stay_at_open_checkpoint(before, may_skip);
+    if (moved && !(kept && session_->step() == before)) step_changed();
+    stay_before_question();
+  }
+  bool stay_at_open_checkpoint(std::uint32_t before, bool may_skip);
+  void follow_lesson();
+  bool play_on(double seconds);
+  void enter_scene();
+  void go_on_where_one_was(const std::filesystem::path& file);
+  ScenePlace place_in_scene(const Progress&) const;
+  std::map<std::size_t, Inputs<Exact>> parked_edits() const;  // of the other scenes
+  void forget_lesson();
+  bool take_export_news();
+  bool reload_scenes(Document);
   bool begin(Document);  // a session of it, over the studio if there is one
   bool step(const Recipe&, std::size_t before, std::string title);
   bool open_into_scene(const JsonDocument&, const std::filesystem::path&);
@@ -302,6 +376,19 @@ class Player {
   void forget_questions();
   void go_on_after(std::size_t question);
   void resolve_stop();
+  // The sessions of the scenes one was in before; the current one's place is empty.
+  std::vector<std::unique_ptr<Session>> parked_;
+  Checkpoints checkpoints_;
+  std::string saved_checkpoints_;
+  std::optional<std::uint32_t> skip_asked_, waiting_;
+  double skip_asked_for_ = 0, stay_left_ = 0;
+  Refusal slide_refused_;
+  std::optional<std::uint32_t> camera_beat_;  // whose camera was glided to
+  bool camera_is_lessons_ = false;            // nobody has moved it since
+  std::optional<std::pair<std::uint64_t, std::uint32_t>> followed_;
+  std::string tab_before_question_;
+  std::optional<ExportJob> export_;
+
   Draft draft_;
   std::optional<std::size_t> chosen_question_, last_said_;
   Doubt doubt_ = Doubt::none;

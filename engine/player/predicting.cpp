@@ -29,7 +29,7 @@ void Player::stay_before_question() {
   const Prediction& prediction = *session_->prediction();
   // One waits at the last step that gives nothing away.
   const std::size_t first = prediction.marking() == Marking::at_end ? 0 : *prediction.open();
-  const Question& question = prediction.questions()[first];
+  const AskedValue& question = prediction.questions()[first];
   const std::uint32_t before = question.step > 0 ? question.step - 1 : 0;
   session_->move([=](Timeline& t) { return t.pause(), t.seek(before); });
   motion_ = 1;
@@ -72,7 +72,7 @@ void Player::choose_next_question(int by) {
 bool Player::hides(std::string_view value) const {
   const Prediction* prediction = session_ ? session_->prediction() : nullptr;
   if (prediction == nullptr) return false;
-  for (const Question& question : prediction->questions())
+  for (const AskedValue& question : prediction->questions())
     if (question.name == value) return prediction->veiled(question.step);
   return false;
 }

@@ -59,7 +59,7 @@ Prediction::Prediction(std::shared_ptr<const Grader> grader, Marking marking, co
     if (!value) continue;
     questions_.push_back({*value, part.name, graph.value(*value).step, i, part.kind, part.size(), part.form});
   }
-  std::ranges::sort(questions_, {}, &Question::value);  // values are numbered as they are made
+  std::ranges::sort(questions_, {}, &AskedValue::value);  // values are numbered as they are made
   attempts_.resize(questions_.size());
   line_guesses_.resize(questions_.size());
   was_shown_.resize(questions_.size());
@@ -77,7 +77,7 @@ std::size_t Prediction::answered() const {
 }
 
 bool Prediction::rebind(const TraceGraph& graph) {
-  for (Question& question : questions_) {
+  for (AskedValue& question : questions_) {
     const auto value = graph.find(question.name);
     if (!value) return false;
     question.value = *value;
@@ -89,7 +89,7 @@ bool Prediction::rebind(const TraceGraph& graph) {
 void Prediction::carry_over(const Prediction& other) {
   for (std::size_t q = 0; q < questions_.size(); ++q)
     for (std::size_t o = 0; o < other.questions_.size(); ++o) {
-      const Question &mine = questions_[q], &theirs = other.questions_[o];
+      const AskedValue &mine = questions_[q], &theirs = other.questions_[o];
       if (mine.name != theirs.name || mine.size != theirs.size || mine.form != theirs.form) continue;
       attempts_[q] = other.attempts_[o];
       line_guesses_[q] = other.line_guesses_[o];
@@ -253,7 +253,7 @@ std::string filled(std::string_view meaning, const ValueSpec& spec, const std::v
 
 }  // namespace
 
-std::string asked_words(const Question& question, const StepSource& source) {
+std::string asked_words(const AskedValue& question, const StepSource& source) {
   const ValueSpec* spec = source.spec(question.value);
   std::string text = "What is " + question.name + "?";
   if (spec != nullptr && !spec->meaning.empty())
@@ -261,13 +261,13 @@ std::string asked_words(const Question& question, const StepSource& source) {
   return text;
 }
 
-std::string answer_words(const Question& question, const std::vector<std::string>& numbers) {
+std::string answer_words(const AskedValue& question, const std::vector<std::string>& numbers) {
   std::string list;
   for (const std::string& number : numbers) list += (list.empty() ? "" : ", ") + number;
   return question.name + " = " + (question.size == 1 ? list : "(" + list + ")");
 }
 
-std::string reason_words(const Question& question, const StepSource& source) {
+std::string reason_words(const AskedValue& question, const StepSource& source) {
   const std::string formula = source.formula(question.value);
   if (formula.empty() || formula.size() > longest_reason) return {};
   const std::string numbers = source.numbers(question.value);
@@ -290,7 +290,7 @@ std::vector<std::string> split_numbers(const std::string& text) {
 
 // ---- by a click -----------------------------------------------------------------------------------------------------
 
-std::vector<std::string> prefilled(const Question& question, const glm::dvec3& clicked, double unit) {
+std::vector<std::string> prefilled(const AskedValue& question, const glm::dvec3& clicked, double unit) {
   if (question.kind != ValueKind::point || question.form != Form::affine) return {};
   constexpr int most_decimals = 12;
   int decimals = most_decimals;

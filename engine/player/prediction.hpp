@@ -11,7 +11,7 @@
 
 namespace blossom {
 
-struct Question {
+struct AskedValue {
   ValueId value = absent;  // of the trace
   std::string name;        // "P[1][4]"
   std::uint32_t step = 0;  // which makes it
@@ -45,7 +45,7 @@ class Prediction {
 
   const Exercise& exercise() const { return grader_->exercise(); }
   Marking marking() const { return marking_; }
-  const std::vector<Question>& questions() const { return questions_; }  // by step
+  const std::vector<AskedValue>& questions() const { return questions_; }  // by step
   const std::optional<Attempt>& attempt(std::size_t question) const { return attempts_[question]; }
   // The first question that is not answered; nothing when all are.
   std::optional<std::size_t> open() const;
@@ -97,7 +97,7 @@ class Prediction {
 
   std::shared_ptr<const Grader> grader_;
   Marking marking_;
-  std::vector<Question> questions_;
+  std::vector<AskedValue> questions_;
   std::vector<std::optional<Attempt>> attempts_;
   std::vector<std::optional<LineGuess>> line_guesses_;
   std::vector<char> was_shown_;  // by question: also when it was taken back
@@ -110,15 +110,15 @@ class Prediction {
 
 // In words: "What is P[1][2]? It is the point 2 of level 1."; "P[1][2] = (0, 16)"; why it is that, with the formula, or
 // nothing where there is none that is short.
-std::string asked_words(const Question&, const StepSource&);
-std::string answer_words(const Question&, const std::vector<std::string>& numbers);
-std::string reason_words(const Question&, const StepSource&);
+std::string asked_words(const AskedValue&, const StepSource&);
+std::string answer_words(const AskedValue&, const std::vector<std::string>& numbers);
+std::string reason_words(const AskedValue&, const StepSource&);
 // "0, 1/2 1" or "(0, 1/2, 1)": its numbers.
 std::vector<std::string> split_numbers(const std::string& text);
 
 // The numbers of a clicked place, rounded as finely as one pixel, `unit` in the world, can mean. Empty where a click is
 // no answer: numbers, lists, homogeneous coordinates.
-std::vector<std::string> prefilled(const Question&, const glm::dvec3& clicked, double unit);
+std::vector<std::string> prefilled(const AskedValue&, const glm::dvec3& clicked, double unit);
 
 // An exercise about a run that comes from no exercise file: the values that `asks` selects (by default what the
 // algorithm's exercises usually ask, at most 40), with a tolerance of 2 % of the picture's size, so that a click

@@ -77,7 +77,7 @@ void Session::take(std::shared_ptr<const Recording> recording) {
   if (prediction_ && !prediction_->rebind(recording_->graph())) stop_prediction();
   timeline_->seek(place_again());
   if (playing && !timeline_->at_end()) timeline_->play();
-  beats_ = document_.lesson ? recording_->beats(*document_.lesson) : std::vector<Beat>();
+  beats_ = document_.lesson ? recording_->beats(*document_.lesson_scene()) : std::vector<Beat>();
   set_bookmarks(std::move(bookmarks_));
 }
 
@@ -113,9 +113,24 @@ const Beat* Session::beat() const {
 Session::Words Session::words() const {
   const Beat* here = beat();
   const std::string own = recording_->source().text(step());
-  const auto said = here != nullptr ? recording_->fill(here->say, step()) : std::nullopt;
+  const auto said = here != nullptr ? recording_->fill(here->say.in(language_), step()) : std::nullopt;
   if (!said) return {own, ""};
-  return edited() ? Words{own, *said} : Words{*said, ""};
+  const bool meant = !edited() || (!here->sliders.empty() && only_slid());
+  return meant ? Words{*said, ""} : Words{own, *said};
+}
+
+bool Session::only_slid() const {
+  if (!document_.lesson) return false;
+  Inputs<Exact> back = inputs();
+  for (const Beat& beat : document_.lesson_scene()->beats)
+    for (const Slider& slider : beat.sliders) {
+      const auto original = number_at(document_.inputs, slider.input);
+      if (!original || number_at(back, slider.input) == original) continue;
+      auto reset = set_number_at(algorithm(), back, slider.input, *original);
+      if (!reset) return false;
+      back = std::move(*reset);
+    }
+  return back == document_.inputs;
 }
 
 void Session::set_bookmarks(std::vector<std::uint32_t> steps) {

@@ -7,7 +7,7 @@
 #include "player/edit.hpp"
 #include "player/field.hpp"
 #include "player/history.hpp"
-#include "player/recording.hpp"
+#include "scene/recording.hpp"
 #include "trace/timeline.hpp"
 
 namespace blossom {
@@ -54,6 +54,10 @@ class Session {
     std::string lesson;  // what the lesson says, written for its own numbers; empty while these are what one sees
   };
   Words words() const;
+  void speak(std::string language) { language_ = std::move(language); }
+  // Whether the inputs differ from the document's only in what sliders of its beats move: what a beat with sliders says
+  // is meant for those numbers, too.
+  bool only_slid() const;
   const std::vector<Beat>& beats() const { return beats_; }
   const Beat* beat() const;  // of this step
   std::vector<std::uint32_t> bookmarks() const { return bookmarks_; }
@@ -95,6 +99,7 @@ class Session {
   bool show_history();
 
   Document document_;
+  std::string language_;  // empty: the lesson's own
   History<Inputs<Exact>> history_;
   std::optional<Inputs<Exact>> saved_;
   std::shared_ptr<const Recording> recording_;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "base/json_write.hpp"
 #include "base/scalar.hpp"
 #include "base/utf8.hpp"
 #include "lesson/document.hpp"
@@ -55,6 +56,7 @@ void visit(S& settings, Visitor&& visitor) {
   visitor.flag("snap", settings.snap);
   visitor.flag("grid", settings.grid);
   visitor.flag("perspective", settings.perspective);
+  visitor.language("language", settings.language);
   visitor.number("side_share", settings.side_share, 0.2, 0.6);
   visitor.number("lower_share", settings.lower_share, 0.2, 0.8);
   visitor.number("width", settings.width, 320, 16384);
@@ -66,11 +68,19 @@ bool is_known_theme(std::string_view name) {
   return std::ranges::find(theme_list, name, &ThemeName::name) != theme_list.end();
 }
 
+// As lessons name them; empty: their own.
+bool is_language(std::string_view name) {
+  return name.size() <= 3 && std::ranges::all_of(name, [](char c) { return 'a' <= c && c <= 'z'; });
+}
+
 struct Bounding {
   static void theme(const char*, std::string& name) {
     if (!is_known_theme(name)) name = theme_list.front().name;
   }
   static void flag(const char*, bool&) {}
+  static void language(const char*, std::string& name) {
+    if (!is_language(name)) name.clear();
+  }
   template <class T>
   static void number(const char*, T& value, T at_least, T at_most) {
     if (!(value >= at_least)) value = at_least;  // and what is not a number
@@ -101,6 +111,9 @@ struct Writing {
   void add(const char* key, const std::string& value) { text += ",\n  " + json_quote(key) + ": " + value; }
   void theme(const char* key, const std::string& name) { add(key, json_quote(name)); }
   void flag(const char* key, bool value) { add(key, value ? "true" : "false"); }
+  void language(const char* key, const std::string& name) {
+    if (!name.empty()) add(key, json_quote(name));
+  }
   void number(const char* key, double value, double, double) { add(key, format_number(value)); }
   void number(const char* key, int value, int, int) { add(key, std::to_string(value)); }
   void files(const char* key, const std::vector<fs::path>& files) {
@@ -132,6 +145,14 @@ struct Reading {
   void flag(const char* key, bool& value) const {
     if (const auto at = root.optional(key)) value = at->boolean().value_or(value);
   }
+  void language(const char* key, std::string& name) const {
+    const auto at = root.optional(key);
+    const auto text = at ? at->string() : std::nullopt;
+    if (text && is_language(*text))
+      name = *text;
+    else if (text)
+      at->error("must be a language such as \"de\", not " + excerpt(*text));
+  }
   void number(const char* key, double& value, double at_least, double at_most) const {
     const auto at = root.optional(key);
     const auto number = at ? at->number() : std::nullopt;
@@ -160,8 +181,8 @@ struct Reading {
 
 // ---- progress -------------------------------------------------------------------------------------------------------
 
-Progress read_progress(const Cursor& at) {
-  Progress progress;
+ScenePlace read_place(const Cursor& at) {
+  ScenePlace progress;
   const auto steps = [&](const char* key, std::uint32_t& value) {
     if (const auto here = at.optional(key))
       value = static_cast<std::uint32_t>(here->integer(0, most_steps).value_or(static_cast<int>(value)));
@@ -173,6 +194,35 @@ Progress read_progress(const Cursor& at) {
     for (std::size_t i = 0; i < here->size(); ++i)
       if (const auto step = (*here)[i].integer(0, most_steps))
         progress.bookmarks.push_back(static_cast<std::uint32_t>(*step));
+  return progress;
+}
+
+// What a lesson of several scenes, or with questions, has besides.
+void read_lesson_progress(const Cursor& at, Progress& progress) {
+  const auto count = [&](const char* key, std::uint32_t& value) {
+    if (const auto here = at.optional(key))
+      value = static_cast<std::uint32_t>(here->integer(0, most_steps).value_or(static_cast<int>(value)));
+  };
+  if (const auto here = at.optional("scene")) progress.scene = here->string().value_or("");
+  if (const auto here = at.optional("scenes"); here && here->is(Json::Kind::object))
+    for (std::size_t i = 0; i < here->size(); ++i)
+      if (here->member(i).is(Json::Kind::object))
+        progress.scenes[here->json().keys[i]] = read_place(here->member(i));
+  if (const auto here = at.optional("answers"); here && here->is(Json::Kind::object))
+    for (std::size_t i = 0; i < here->size(); ++i)
+      progress.answers[here->json().keys[i]] = write_json(here->member(i).json());
+  if (const auto here = at.optional("skipped"); here && here->expect_array())
+    for (std::size_t i = 0; i < here->size(); ++i)
+      if (auto id = (*here)[i].string()) progress.skipped.push_back(*std::move(id));
+  count("scene_count", progress.scene_count);
+  count("asked", progress.asked);
+  count("right", progress.right);
+}
+
+Progress read_progress(const Cursor& at) {
+  Progress progress;
+  static_cast<ScenePlace&>(progress) = read_place(at);
+  read_lesson_progress(at, progress);
   if (const auto here = at.optional("best_score"))
     if (const auto score = here->number()) {
       if (*score < 0 || 1 < *score)
@@ -189,14 +239,38 @@ Progress read_progress(const Cursor& at) {
   return progress;
 }
 
-std::string entry_text(const std::string& file, const Progress& progress) {
+std::string place_text(const ScenePlace& place) {
   std::string bookmarks;
-  for (const std::uint32_t step : progress.bookmarks)
+  for (const std::uint32_t step : place.bookmarks)
     bookmarks += (bookmarks.empty() ? "" : ", ") + std::to_string(step);
-  std::string text = "    " + json_quote(file) + ": {\"step\": " + std::to_string(progress.step) +
-                     ", \"last\": " + std::to_string(progress.last) +
-                     ", \"furthest\": " + std::to_string(progress.furthest);
+  std::string text = "\"step\": " + std::to_string(place.step) + ", \"last\": " + std::to_string(place.last) +
+                     ", \"furthest\": " + std::to_string(place.furthest);
   if (!bookmarks.empty()) text += ", \"bookmarks\": [" + bookmarks + "]";
+  return text;
+}
+
+std::string lesson_progress_text(const Progress& progress) {
+  std::string text;
+  const auto list = [&](const char* key, const auto& items, const char* brackets, auto&& write) {
+    if (items.empty()) return;
+    std::string all;
+    for (const auto& item : items) all += (all.empty() ? "" : ", ") + write(item);
+    text += std::string(", \"") + key + "\": " + brackets[0] + all + brackets[1];
+  };
+  if (!progress.scene.empty()) text += ", \"scene\": " + json_quote(progress.scene);
+  list("scenes", progress.scenes, "{}",
+       [](const auto& scene) { return json_quote(scene.first) + ": {" + place_text(scene.second) + "}"; });
+  if (progress.scene_count > 0) text += ", \"scene_count\": " + std::to_string(progress.scene_count);
+  list("answers", progress.answers, "{}",
+       [](const auto& answer) { return json_quote(answer.first) + ": " + answer.second; });
+  list("skipped", progress.skipped, "[]", [](const std::string& id) { return json_quote(id); });
+  if (progress.asked > 0)
+    text += ", \"asked\": " + std::to_string(progress.asked) + ", \"right\": " + std::to_string(progress.right);
+  return text;
+}
+
+std::string entry_text(const std::string& file, const Progress& progress) {
+  std::string text = "    " + json_quote(file) + ": {" + place_text(progress) + lesson_progress_text(progress);
   if (progress.best_score >= 0) text += ", \"best_score\": " + format_number(std::min(progress.best_score, 1.0));
   return text + ", \"seen\": " + std::to_string(progress.seen) + "}";
 }
@@ -226,6 +300,16 @@ void forget_oldest(ProgressMap& map) {
 }
 
 }  // namespace
+
+double Progress::share() const {
+  const auto share_of = [](const ScenePlace& place) {
+    return place.last > 0 ? std::min(1.0, static_cast<double>(place.furthest) / place.last) : 0.0;
+  };
+  if (scene_count == 0) return share_of(*this);
+  double all = 0;
+  for (const auto& [id, place] : scenes) all += share_of(place);
+  return std::min(1.0, all / scene_count);
+}
 
 Places xdg_places() { return {xdg_folder("XDG_CONFIG_HOME", ".config"), xdg_folder("XDG_STATE_HOME", ".local/state")}; }
 

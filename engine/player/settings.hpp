@@ -35,6 +35,7 @@ struct Settings {
   bool snap = false;
   bool grid = true;
   bool perspective = false;
+  std::string language;                       // of lessons that have it: "de"; empty: their own
   double side_share = 0.4;                    // of the window's width, the panels at the right: 0.2 to 0.6
   double lower_share = 0.43;                  // of their height, the tabbed ones: 0.2 to 0.8
   int width = 1280, height = 720;             // of the window: 320 by 240 to 16384 by 16384
@@ -49,14 +50,28 @@ Settings load_settings(const Places&, Diagnostics&);
 // True: kept; false: there is no place to keep it. Folders that are missing are made, for the user alone.
 Checked<bool> save_settings(const Places&, const Settings&);
 
-// Where one was, by the file's path (absolute).
-struct Progress {
+// Where one was in one run.
+struct ScenePlace {
   std::uint32_t step = 0, last = 0;  // where one was, of how many
   std::uint32_t furthest = 0;
   std::vector<std::uint32_t> bookmarks;
+  bool operator==(const ScenePlace&) const = default;
+};
+
+// Where one was, by the file's path (absolute). Of a lesson of several scenes `scene` is the one where one was, and the
+// place in it; the places in the others, and in it, are in `scenes`, by their ids.
+struct Progress : ScenePlace {
+  std::string scene;
+  std::map<std::string, ScenePlace> scenes;
+  std::uint32_t scene_count = 0;               // of the lesson; 0: it has only one
+  std::map<std::string, std::string> answers;  // to checkpoints, by id, as an answers file has them
+  std::vector<std::string> skipped;            // checkpoints
+  std::uint32_t asked = 0, right = 0;          // checkpoints of the lesson, and those answered right
   double best_score = -1;  // of predictions, 0 to 1; below 0: none yet
   std::int64_t seen = 0;   // when it was saved, in ms since 1970; 0: it is new, and saving it says when
   bool operator==(const Progress&) const = default;
+
+  double share() const;  // how much was seen, 0 to 1
 };
 using ProgressMap = std::map<std::string, Progress>;
 ProgressMap load_progress(const Places&, Diagnostics&);

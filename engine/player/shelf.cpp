@@ -44,6 +44,7 @@ Checked<ShelfItem> read_item(JsonDocument json, const fs::path& file, const std:
     item.unit = printable(document->lesson->unit);
     item.summary = printable(document->lesson->summary);
     item.minutes = document->lesson->minutes;
+    item.exercises = document->lesson->exercises;
   } else if (document->grader) {
     item.unit = printable(document->grader->exercise().unit);
     item.summary = printable(document->grader->exercise().prompt);

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "player/document.hpp"
-#include "player/recording.hpp"
+#include "scene/recording.hpp"
 #include "studio/workspace.hpp"
 
 namespace blossom {
@@ -18,6 +18,7 @@ struct ShelfItem {
   std::string id, title, unit, summary;
   Document::Kind kind = Document::Kind::lesson;
   int minutes = 0;
+  std::vector<std::string> exercises;          // ids, of a lesson
   std::shared_ptr<const Recording> recording;  // for the thumbnail; in decimals
   std::uint32_t telling_step = 0;              // whose picture tells most: the last of the triangle; a surface's last
 };

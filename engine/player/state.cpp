@@ -32,7 +32,8 @@ std::string joined(const std::vector<std::uint32_t>& numbers) {
 std::string dialog_name(Dialog dialog) {
   static constexpr const char* names[] = {"none",     "open",       "save_lesson", "save_picture", "save_answers",
                                           "settings", "shortcuts",  "palette",     "go_to",        "recover",
-                                          "unsaved",  "save_scene", "step_with",   "import_file",  "export_file"};
+                                          "unsaved",  "save_scene", "step_with",   "import_file",  "export_file",
+                                          "export_lesson", "save_checkpoints"};
   return names[static_cast<std::size_t>(dialog)];
 }
 
@@ -58,6 +59,26 @@ const std::map<std::string, Reader, std::less<>>& of_player() {
       {"snap", [](Player& p) { return yes(p.settings.snap); }},
       {"quit", [](Player& p) { return yes(p.wants_to_quit()); }},
       {"shelf", [](Player& p) { return std::to_string(p.shelf() != nullptr ? p.shelf()->items().size() : 0); }},
+      {"scene", [](Player& p) { return std::to_string(p.scene() + 1) + " of " + std::to_string(p.scene_count()); }},
+      {"heading", [](Player& p) { return p.scene_heading(p.scene()); }},
+      {"language", [](Player& p) { return p.settings.language.empty() ? "own" : p.settings.language; }},
+      {"waits", [](Player& p) { return yes(p.waits_here()); }},
+      {"refused", [](Player& p) { return p.slide_refused().why; }},
+      {"exporting", [](Player& p) { return yes(p.exporting() != nullptr); }},
+      {"checkpoint",
+       [](Player& p) {
+         const auto item = p.checkpoint();
+         return item ? p.checkpoints().item(*item).checkpoint.id : std::string("none");
+       }},
+      {"skips", [](Player& p) { return yes(p.asks_to_skip()); }},
+      {"checkpoints",
+       [](Player& p) {
+         std::string text;
+         for (const auto& item : p.checkpoints().items())
+           text += (text.empty() ? "" : " ") + item.checkpoint.id + "=" +
+                   (item.first ? item.first->right ? "right" : "wrong" : item.skipped ? "skipped" : "open");
+         return text;
+       }},
       {"lost", [](Player& p) { return std::to_string(p.lost_work().size()); }},
       {"camera",
        [](Player& p) {
@@ -90,6 +111,8 @@ const std::map<std::string, Reader, std::less<>>& of_open() {
            text += (text.empty() ? "" : " ") + p.session()->recording().graph().name(v) + "=" + number(share);
          return text;
        }},
+      {"title", [](Player& p) { return p.title(); }},
+      {"edited-in", [](Player& p) { return yes(p.unsaved()); }},
       {"why",
        [](Player& p) {
          const auto v = p.why_asked();
@@ -101,7 +124,6 @@ const std::map<std::string, Reader, std::less<>>& of_open() {
 
 const std::map<std::string, SessionReader, std::less<>>& of_session() {
   static const std::map<std::string, SessionReader, std::less<>> readers{
-      {"title", [](const Session& s) { return s.document().title(); }},
       {"kind",
        [](const Session& s) {
          static constexpr const char* kinds[] = {"lesson", "exercise", "inputs"};

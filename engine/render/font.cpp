@@ -118,6 +118,20 @@ double Fonts::kerning(FontStyle style, char32_t left, char32_t right) const {
   return kept = known ? static_cast<double>(delta.x) / face.face->units_per_EM : 0;
 }
 
+Fonts::Ink Fonts::ink(FontStyle style, char32_t c) const {
+  const FT_Face face = impl_->face(style).face;
+  if (FT_Load_Char(face, c, FT_LOAD_NO_SCALE) != 0) return {};
+  const FT_Glyph_Metrics& metrics = face->glyph->metrics;
+  const auto ems = [&](FT_Pos units) { return static_cast<double>(units) / face->units_per_EM; };
+  Ink box{ems(metrics.horiBearingX), ems(metrics.horiBearingX + metrics.width),
+          ems(metrics.horiBearingY - metrics.height), ems(metrics.horiBearingY)};
+  if (style.italic) {  // the slanted box: what is wide at the top may be less so at the bottom, but not by much
+    box.left += slant * box.bottom;
+    box.right += slant * box.top;
+  }
+  return box;
+}
+
 double Fonts::width(FontStyle style, std::string_view utf8) const {
   double result = 0;
   char32_t previous = 0;
@@ -139,8 +153,8 @@ GlyphBitmap Fonts::bitmap(FontStyle style, char32_t c, double pixels, int quarte
   if (FT_Load_Char(face, c, FT_LOAD_NO_BITMAP | FT_LOAD_TARGET_LIGHT) != 0) return result;
   if (face->glyph->format != FT_GLYPH_FORMAT_OUTLINE) return result;
   if (style.italic) {
-    const FT_Matrix slant{0x10000, 0x3333, 0, 0x10000};  // 0.2 = tan(11.3 degrees)
-    FT_Outline_Transform(&face->glyph->outline, &slant);
+    const FT_Matrix slanted{0x10000, static_cast<FT_Fixed>(slant * 0x10000), 0, 0x10000};  // 0.2 = tan(11.3 degrees)
+    FT_Outline_Transform(&face->glyph->outline, &slanted);
   }
   FT_Outline_Translate(&face->glyph->outline, quarter * 16, 0);
   FT_Glyph glyph = nullptr;

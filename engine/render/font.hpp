@@ -39,6 +39,7 @@ struct GlyphBitmap {
 
 class Fonts {
  public:
+  static constexpr double slant = 0.2;  // of italics: to the right, for each unit up
   // From the folder BLOSSOM_FONT_DIR of the environment, else from where they were found when Blossom was built.
   static Checked<std::shared_ptr<const Fonts>> load();
   static std::filesystem::path file(FontStyle);  // of the upright face of that style
@@ -50,6 +51,11 @@ class Fonts {
   double advance(FontStyle, char32_t) const;
   double kerning(FontStyle, char32_t left, char32_t right) const;
   double width(FontStyle, std::string_view utf8) const;
+  // The box around a letter's ink, from the pen and the baseline, y up; nothing but zeros for a blank.
+  struct Ink {
+    double left = 0, right = 0, bottom = 0, top = 0;
+  };
+  Ink ink(FontStyle, char32_t) const;
   static constexpr double ascent = 0.76, descent = 0.24;  // of letters: capitals and p, without accents
 
   // The pen stands at `quarter`/4 pixels right of a pixel's left edge. With halo > 0: the letter grown by that many

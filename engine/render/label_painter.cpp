@@ -71,13 +71,11 @@ void paint_labels(const View& view, const Projection& project, const PixelRect& 
                   const Fonts& fonts, Canvas& canvas, const PageMap& map) {
   const bool on_page = view.camera.kind == Camera::Kind::page;
   const auto paint = [&](const Label& label, TextBlock& block, double x, double baseline) {
-    for (auto& run : block.runs) {
-      run.x = (run.x + x) * map.scale + map.origin.x;
-      run.baseline = (run.baseline + baseline) * map.scale + map.origin.y;
-      run.size = std::clamp(run.size * map.scale, 1.0, Fonts::max_pixels);
-    }
-    TextPaint look{theme[label.role].ink, theme.background, on_page ? 0 : static_cast<float>(halo_width * map.scale)};
-    if (!block.runs.empty()) canvas.text(block.runs, look);
+    TextBlock set = placed(std::move(block), x, baseline, map.scale);
+    if (map.origin.x != 0 || map.origin.y != 0) set = placed(std::move(set), map.origin.x, map.origin.y);
+    const TextPaint look{theme[label.role].ink, theme.background,
+                         on_page ? 0 : static_cast<float>(halo_width * map.scale)};
+    paint_text(canvas, set, look);
   };
 
   std::vector<const Label*> floating;

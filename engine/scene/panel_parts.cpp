@@ -188,6 +188,21 @@ std::string other_share(const std::string& share, double value) {
   return format_short(1 - value, 4);
 }
 
+std::vector<std::string> weights_of(const StepSource& source, ValueId v) {
+  const auto from = source.graph->operands(v);
+  std::vector<std::string> texts(from.size());
+  const RuleInfo& rule = *source.graph->value(v).rule;
+  if (from.size() != 3 || (rule.polar != Polar::blend && rule.polar != Polar::merge)) return texts;
+  // a of Blend belongs to the second point, a of Elevate to the first.
+  const std::size_t own = rule.polar == Polar::merge ? 1 : 2;
+  const double a = source.scalars[from[0]];
+  const std::string share = source.value_text(from[0]);
+  const bool is_short = share.size() <= 7;
+  texts[own] = is_short ? share : format_short(a, 3);
+  texts[3 - own] = is_short ? other_share(share, a) : format_short(1 - a, 3);
+  return texts;
+}
+
 std::string share_text(const StepSource& source, double share) {
   constexpr long most_denominator = 999;
   const std::string decimal = format_short(share, 3);

@@ -49,6 +49,9 @@ double heading(View&, double x, double y, const std::string& words, double width
 // The other share of a division, in the manner of the first: 3/5 beside 2/5.
 std::string other_share(const std::string& share, double value);
 
+// The numbers on the arrows into a value of a scheme, one for each operand; empty where the rule gives none.
+std::vector<std::string> weights_of(const StepSource&, ValueId);
+
 // How much of a value came from another one: as a fraction where the run is exact and a short one fits.
 std::string share_text(const StepSource&, double share);
 

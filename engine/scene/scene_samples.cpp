@@ -112,6 +112,8 @@ SceneSamples::SceneSamples(const StepSource& source) : source_(&source) {
     }
   }
   if (knots.size() > most_knots) knots.clear();
+  for (const auto& curve : source.lifted) add_curve(curve, steps, lifted);
+  for (const auto& curve : source.pictured) add_curve(curve, samples_for(source.pictured), curves);
   for (const auto& surface : source.surfaces)
     for (auto& iso : sample_surface(surface).isolines) given_isolines.push_back(std::move(iso));
   if (const auto* curve = std::get_if<Curve<double>>(&source.outcome)) add_curve(*curve, samples_for({*curve}), result);
@@ -149,7 +151,7 @@ const SurfaceSamples& SceneSamples::surface() const {
 void SceneSamples::find_places() {
   Bounds drawn;
   for (const Drawable& d : drawables) drawn.add(*source_->points[d.value]);
-  for (const auto* pieces : {&curves, &result, &given_isolines})
+  for (const auto* pieces : {&curves, &lifted, &result, &given_isolines})
     for (const auto& piece : *pieces)
       for (const auto& at : piece) drawn.add(at);
   const glm::dvec3 reach(0.5 * drawn.diagonal());
@@ -165,7 +167,8 @@ void SceneSamples::find_places() {
 template <class Body>
 void SceneSamples::for_each_place(const Body& body) const {
   for (const auto& at : places_) body(at);
-  for (const auto* pieces : {&curves, &result, &given_isolines})
+  if (!lifted.empty()) body(glm::dvec3{0, 0, 0});  // where the rays come from
+  for (const auto* pieces : {&curves, &lifted, &result, &given_isolines})
     for (const auto& piece : *pieces)
       for (const auto& at : piece) body(at);
 }
@@ -185,6 +188,9 @@ void SceneSamples::find_drawables() {
   std::vector<Known> known;  // of the current phase
   std::uint32_t known_phase = absent;
   bool known_intro = false, any_known = false;
+  std::optional<glm::dvec3> outcome;  // if it is a point
+  if (const auto* P = std::get_if<HPoint<double>>(&source_->outcome); P != nullptr && P->w != 0)
+    outcome = glm::dvec3{P->x, P->y, P->z} / (source_->rational ? P->w : 1);
   for (ValueId v = 0; v < graph.value_count(); ++v) {
     if (!source_->points[v]) continue;
     const ValueRecord& record = graph.value(v);
@@ -200,7 +206,8 @@ void SceneSamples::find_drawables() {
     if (found == known.end()) found = known.insert(known.end(), {record.name, source_->spec(v)});
     const ValueSpec* spec = found->spec;
     if (spec == nullptr || spec->draw == ValueSpec::Draw::none) continue;
-    Drawable made{v, record.step, graph.retired_at(v), absent, spec->draw, graph.is_input(v), Role::earlier};
+    if (!spec->foot.empty() && foot_of(record.name, *spec) != record.name) continue;  // an arrow
+    Drawable made{v, record.step, graph.retired_at(v), absent, spec->draw, graph.is_input(v), spec->ray, Role::earlier};
     if (phase != absent && scopes[phase] > record.name.outer) made.phase = phase;
     static constexpr Role levels[] = {Role::level_a, Role::level_b, Role::level_c};
     switch (spec->draw) {
@@ -213,7 +220,7 @@ void SceneSamples::find_drawables() {
         made.role = Role::result;
         break;
       case ValueSpec::Draw::point:
-        if (graph.operands(v).size() == 1) made.role = Role::result;
+        if (graph.operands(v).size() == 1 || source_->points[v] == outcome) made.role = Role::result;
         break;
       case ValueSpec::Draw::none:
         break;

@@ -17,6 +17,7 @@ struct Drawable {
   std::uint32_t phase = absent;           // of a scoped value: the phase; otherwise none
   ValueSpec::Draw draw = ValueSpec::Draw::none;
   bool given = false;
+  bool ray = false;  // a line from the origin leads to it
   Role role = Role::earlier;
 };
 
@@ -28,6 +29,9 @@ struct StandingArrow {
   std::uint32_t born = 0;  // step
 };
 
+// The name of the point where a vector stands whose table entry has a foot.
+Name foot_of(const Name& vector, const ValueSpec&);
+
 struct SurfaceSamples {
   Mesh mesh;  // empty where the surface has a pole
   std::vector<std::vector<glm::dvec3>> isolines;
@@ -37,6 +41,7 @@ SurfaceSamples sample_surface(const Surface<double>&);
 
 struct SceneSamples {
   std::vector<std::vector<glm::dvec3>> curves;          // connected pieces of the input curves
+  std::vector<std::vector<glm::dvec3>> lifted;          // of the curves in space above them
   std::vector<glm::dvec3> knots;                        // points of the input curves at their inner knots
   std::vector<std::vector<glm::dvec3>> result;          // of resulting curves
   std::vector<std::vector<glm::dvec3>> given_isolines;  // of the input surfaces

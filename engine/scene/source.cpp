@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "kernel/lift.hpp"
+
 namespace blossom {
 
 const ValueSpec* StepSource::spec(ValueId v) const {
@@ -45,6 +47,17 @@ StepSource make_source(const Narrator<S>& narrator) {
     if (const auto* s = std::get_if<Surface<S>>(&value)) source.surfaces.push_back(in_double(*s));
     if (const auto* u = std::get_if<S>(&value); u != nullptr && name == "u") source.parameter = to_double(*u);
   }
+  if (run.algorithm->pictured != nullptr) {
+    if constexpr (std::same_as<S, double>)
+      source.pictured = run.algorithm->pictured(run.inputs);
+    else
+      source.pictured = run.algorithm->pictured(convert<double>(run.inputs));
+  }
+  if (run.algorithm->lifts)
+    for (auto& curve : source.curves) {
+      source.lifted.push_back(lifted(curve));
+      curve = at_height_one(curve);
+    }
   std::visit([&](const auto& outcome) { source.outcome = in_double(outcome); }, run.outcome);
 
   const ValueId count = run.trace.value_count();

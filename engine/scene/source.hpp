@@ -21,7 +21,9 @@ struct StepSource {
   int dimension = 2;
   bool rational = false;
   std::vector<Curve<double>> curves;  // of the inputs, in the order of the inputs' names
+  std::vector<Curve<double>> lifted;  // the curves in space above them, where the algorithm lifts; they lie at height 1
   std::vector<Surface<double>> surfaces;
+  std::vector<Curve<double>> pictured;            // that the inputs stand for, see Algorithm::pictured
   std::optional<double> parameter;                // the input u, if there is one
   std::vector<std::optional<glm::dvec3>> points;  // of each value that is a point of its own and finite
   std::vector<double> scalars;                    // of each value that is a number, else 0

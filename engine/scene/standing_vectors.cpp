@@ -1,21 +1,14 @@
 // Vectors that are seen where they stand: a derivative at the point of the curve, a tangent at its data point.
 #include <algorithm>
-#include <array>
+#include <charconv>
 #include <glm/geometric.hpp>
 #include <map>
+#include <tuple>
 
 #include "scene/scene_samples.hpp"
 
 namespace blossom {
 namespace {
-
-struct Standing {
-  std::string_view algorithm;
-  Symbol vector, foot;  // the vector of index i stands at the point of index i
-  int foot_index = -1;  // unless all of them stand at one
-};
-const std::array standing_vectors{Standing{"curve_derivatives", Symbol::of("D"), Symbol::of("D"), 0},
-                                  Standing{"local_interpolation", Symbol::of("V"), Symbol::of("D")}};
 
 // 1, 0.5, 0.2, 0.1, ...: the largest that is not above `most`. Derivatives are often far longer than the curve.
 double round_scale(double most) {
@@ -27,32 +20,46 @@ double round_scale(double most) {
 
 }  // namespace
 
+Name foot_of(const Name& vector, const ValueSpec& spec) {
+  const std::string_view foot = spec.foot;
+  const std::size_t bracket = foot.find('[');
+  Name name{Symbol::of(foot.substr(0, bracket))};
+  name.outer = vector.outer;
+  if (bracket == std::string_view::npos) return name;
+  name.arity = 1;
+  const std::string_view inside = foot.substr(bracket + 1, foot.size() - bracket - 2);
+  if (std::from_chars(inside.data(), inside.data() + inside.size(), name.index[0]).ec != std::errc())
+    name.index[0] = vector.index[0];
+  return name;
+}
+
+// All arrows of a run have one scale, so that they can be compared.
 void SceneSamples::find_arrows() {
   const TraceGraph& graph = *source_->graph;
-  for (const Standing& standing : standing_vectors) {
-    if (source_->algorithm->id != standing.algorithm) continue;
-    const std::size_t begin = arrows.size();
-    double longest = 0;
-    std::map<int, glm::dvec3> feet;
-    for (ValueId v = 0; v < graph.value_count(); ++v) {
-      const ValueRecord& record = graph.value(v);
-      const Name& name = record.name;
-      if (name.arity != 1) continue;
-      if (name.symbol == standing.foot && source_->points[v]) feet.emplace(name.index[0], *source_->points[v]);
-      if (record.kind != ValueKind::vector || name.symbol != standing.vector) continue;
-      const auto foot = feet.find(standing.foot_index < 0 ? name.index[0] : standing.foot_index);
-      if (foot == feet.end()) continue;
-      const auto numbers = source_->raw(v);
-      arrows.push_back({v, foot->second, {numbers[0], numbers[1], numbers[2]}, 1, record.step});
-      longest = std::max(longest, glm::length(arrows.back().along));
-    }
-    const double scale = round_scale(longest > 0 ? 0.7 * bounds.diagonal() / longest : 1);
-    for (std::size_t i = begin; i < arrows.size(); ++i) {
-      arrows[i].scale = scale;
-      arrows[i].along *= scale;
-      places_.push_back(arrows[i].foot + arrows[i].along);
-      bounds.add(places_.back());
-    }
+  if (std::ranges::all_of(source_->algorithm->values, [](const ValueSpec& spec) { return spec.foot.empty(); })) return;
+  using Key = std::tuple<std::uint64_t, int, int>;
+  const auto key = [](const Name& name) { return Key(name.symbol.packed, name.arity, name.index[0]); };
+  double longest = 0;
+  std::map<Key, glm::dvec3> points;  // so far, of at most one index
+  for (ValueId v = 0; v < graph.value_count(); ++v) {
+    const ValueRecord& record = graph.value(v);
+    if (record.name.arity > 1 || (record.kind != ValueKind::point && record.kind != ValueKind::vector)) continue;
+    if (source_->points[v]) points.emplace(key(record.name), *source_->points[v]);
+    const ValueSpec* spec = source_->algorithm->spec(record.name);
+    if (spec == nullptr || spec->foot.empty()) continue;
+    const Name name = foot_of(record.name, *spec);
+    const auto foot = name == record.name ? points.end() : points.find(key(name));
+    if (foot == points.end()) continue;
+    const auto numbers = source_->raw(v);
+    arrows.push_back({v, foot->second, {numbers[0], numbers[1], numbers[2]}, 1, record.step});
+    longest = std::max(longest, glm::length(arrows.back().along));
+  }
+  const double scale = round_scale(longest > 0 ? 0.7 * bounds.diagonal() / longest : 1);
+  for (StandingArrow& arrow : arrows) {
+    arrow.scale = scale;
+    arrow.along *= scale;
+    places_.push_back(arrow.foot + arrow.along);
+    bounds.add(places_.back());
   }
 }
 

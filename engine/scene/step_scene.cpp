@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/typeset.hpp"
+#include "lesson/prose.hpp"
 #include "scene/grid.hpp"
 #include "scene/panels.hpp"
 #include "scene/scene_samples.hpp"
@@ -38,7 +38,8 @@ Scene StepScenes::page(std::uint32_t step, const std::string& narration, const P
   scene.width = options.width;
   scene.height = options.height;
   scene.title = options.title;
-  scene.description = narration;
+  const Prose prose = read_prose(narration);
+  scene.description = plain_text(prose);
 
   View page;
   page.width = options.width;
@@ -76,11 +77,19 @@ Scene StepScenes::page(std::uint32_t step, const std::string& narration, const P
   // A long one on a small page is set smaller, so that its last line is still on it.
   const double narration_width = options.width - 2 * margin;
   const auto narration_height = [&](double size) {
-    return std::ceil(static_cast<double>(narration.size()) * size * 9 / narration_width) * 22 * size;
+    double lines = 0;
+    for (const Block& block : prose) {
+      const bool formula = std::ranges::any_of(block.spans, [](const Span& span) { return span.math != nullptr; });
+      const double characters = static_cast<double>(plain_text({block}).size());
+      lines += std::ceil(characters * size * 9 / narration_width) + (block.kind == Block::Kind::formula ? 1.2
+                                                                     : formula                          ? 0.4
+                                                                                                        : 0);
+    }
+    return lines * 22 * size;
   };
   double narration_size = 1.08;
   while (narration_size > 0.7 && y - 10 + narration_height(narration_size) > options.height) narration_size -= 0.04;
-  text(margin, y + 4, typeset_text(narration, source.algorithm_at(step)), Role::text, narration_size).max_width =
+  text(margin, y + 4, rich_text(prose, source.algorithm_at(step)), Role::text, narration_size).max_width =
       narration_width;
 
   // Side panels, from above; the knots below the picture.
@@ -111,7 +120,9 @@ Scene StepScenes::page(std::uint32_t step, const std::string& narration, const P
       source.curves.size() == 1 ? add_knot_line(knots_sheet, source, step, {}, 0, 0, main_width) : 0;
   knots.y = top + main_height - knots_height;
 
-  View picture = viewport(step, main_width, main_height - knots_height);
+  const double picture_height = main_height - knots_height;
+  View picture =
+      options.picture ? options.picture(main_width, picture_height) : viewport(step, main_width, picture_height);
   picture.x = margin;
   picture.y = top;
   scene.views.push_back(std::move(page));

@@ -2,6 +2,7 @@
 // The page of one step: the geometry with what the step does to it, the pseudo-code with its line, the formula with
 // numbers, the triangular scheme, the knots, and the narration. The same page for every algorithm, from its tables.
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -17,6 +18,7 @@ struct PageOptions {
   double width = 1120;
   double height = 700;
   std::string title;
+  std::function<View(double width, double height)> picture = {};  // instead of the viewport
 };
 
 struct ViewportOptions {

@@ -80,22 +80,6 @@ struct Setter {
   bool made(const Scheme::Cell& cell) const { return source.graph->value(cell.value).step <= step; }
   bool is_operand(ValueId v) const { return std::ranges::find(operands, v) != operands.end(); }
 
-  // The numbers on the arrows into a value, one for each operand; empty where the rule gives none.
-  std::vector<std::string> weights(ValueId v) const {
-    const auto from = source.graph->operands(v);
-    std::vector<std::string> texts(from.size());
-    const RuleInfo& rule = *source.graph->value(v).rule;
-    if (from.size() != 3 || (rule.polar != Polar::blend && rule.polar != Polar::merge)) return texts;
-    // a of Blend belongs to the second point, a of Elevate to the first.
-    const std::size_t own = rule.polar == Polar::merge ? 1 : 2;
-    const double a = source.scalars[from[0]];
-    const std::string share = source.value_text(from[0]);
-    const bool is_short = share.size() <= 7;
-    texts[own] = is_short ? share : format_short(a, 3);
-    texts[3 - own] = is_short ? parts::other_share(share, a) : format_short(1 - a, 3);
-    return texts;
-  }
-
   void arrow(const Box& from, const Box& to, bool current, const std::string& weight, bool lit) const {
     const glm::dvec3 start{from.right(), from.y + from.height / 2, 0};
     const glm::dvec3 end{to.x, to.y + to.height / 2, 0};
@@ -127,7 +111,7 @@ struct Setter {
   void arrows(const Scheme::Cell& cell, const Box& box) const {
     const auto from = source.graph->operands(cell.value);
     const bool current = cell.value == main;
-    const auto numbers = current ? weights(cell.value) : std::vector<std::string>(from.size());
+    const auto numbers = current ? parts::weights_of(source, cell.value) : std::vector<std::string>(from.size());
     const bool counts = emphasis.lights(cell.value) || emphasis.share(cell.value) != 0;
     for (std::size_t i = 0; i < from.size(); ++i)
       if (const Scheme::Cell* operand = scheme.find(from[i]))

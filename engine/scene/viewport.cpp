@@ -61,6 +61,38 @@ void ViewportBuilder::add_curves() {
   for (const auto& at : samples_.knots) view_.markers.push_back(marker(at, Role::curve, 0.8, Marker::Shape::square));
 }
 
+// The curves in space, and below them the plane at height 1.
+void ViewportBuilder::add_lifted() {
+  if (samples_.lifted.empty()) return;
+  Bounds flat;
+  for (const auto& piece : samples_.curves)
+    for (const auto& at : piece) flat.add(at);
+  for (const Drawable& d : samples_.drawables)
+    if (d.given && d.ray) flat.add(*source_.points[d.value]);
+  const double margin = 0.08 * flat.diagonal();
+  const double x0 = flat.low.x - margin, x1 = flat.high.x + margin;
+  const double y0 = flat.low.y - margin, y1 = flat.high.y + margin;
+  Mesh plane;
+  plane.positions = {{x0, y0, 1}, {x1, y0, 1}, {x1, y1, 1}, {x0, y1, 1}};
+  plane.normals.assign(4, {0, 0, 1});
+  plane.indices = {0, 1, 2, 0, 2, 3};
+  plane.opacity = 0.25;
+  Polyline edge = line(plane.positions, Role::isoline, 0.6);
+  edge.closed = true;
+  view_.meshes.push_back(std::move(plane));
+  view_.polylines.push_back(std::move(edge));
+  if (options_.labels) view_.labels.push_back(label_around({x1, y0, 1}, {{"w = 1"}}, Role::text_quiet, 2));
+  if (!options_.curves) return;
+  for (const auto& piece : samples_.lifted) view_.polylines.push_back(line(piece, Role::curve_result, 0.8));
+}
+
+void ViewportBuilder::add_rays() {
+  for (const Drawable* d : shown_)
+    if (d->ray)
+      view_.polylines.push_back(
+          line({{0, 0, 0}, place(d->value)}, made_now(d->value) ? Role::current : Role::earlier, 0.5));
+}
+
 void ViewportBuilder::find_shown() {
   const auto& all = samples_.drawables;
   const auto end = std::ranges::upper_bound(all, step_, {}, &Drawable::born);
@@ -171,6 +203,7 @@ void ViewportBuilder::add_arrows() {
   for (const StandingArrow& a : samples_.arrows) {
     if (a.born > step_) break;
     const bool now = made_now(a.value), lit = options_.emphasis.lights(a.value);
+    if (graph_.retired_at(a.value) <= step_ && !read_now(a.value) && !lit) continue;
     const glm::dvec3 tip = a.foot + (now ? motion_ : 1) * a.along;
     if (tip == a.foot) continue;
     view_.polylines.push_back(arrow(a.foot, tip, lit ? Role::highlight : now ? Role::current : Role::level_a, 0.8));

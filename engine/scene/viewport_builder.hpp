@@ -50,7 +50,9 @@ class ViewportBuilder {
   void build() {
     if (options_.grid) add_grid();
     add_curves();
+    add_lifted();
     find_shown();
+    add_rays();
     add_rows();
     if (last_)
       for (const auto& piece : samples_.result) view_.polylines.push_back(line(piece, Role::curve_result, 1, true));
@@ -93,6 +95,8 @@ class ViewportBuilder {
   std::optional<Division> division_of_step() const;
   void add_grid();
   void add_curves();
+  void add_lifted();
+  void add_rays();
   void find_shown();
   void thin_out();
   void add_rows();

@@ -30,6 +30,9 @@ constexpr const char* manual = R"(Examples:
       All that one student handed in, from a folder; the numbers may be the student's own.
   blossom-grade homework.json submission --metadata submission_metadata.json --format gradescope --out results.json
       The same as Gradescope's autograder has it: the student, the time and the date due are in the metadata.
+  blossom-grade lessons/11-de-casteljau.json alice.json
+      The checkpoints of a lesson. Its id is the "exercise" of the answers, and what is answered stands under the ids
+      of the checkpoints: {"first-point": ["1/2", 1], "which-line": 4, "in-order": "cab", "why": "b"}
 
 An answers file:
   {"schema": "blossom.answers/1", "exercise": "de-boor",
@@ -57,6 +60,7 @@ struct Given {
   std::string secret_file;
   std::string now;
   std::string metadata;
+  std::string language;
 };
 
 int complain(const Diagnostics& diagnostics) {
@@ -280,7 +284,7 @@ int grade_all(const Given& given) {
     throw CLI::ValidationError("--format " + given.format +
                                " is for one student; give one file, or say whose they are with --student");
   if (!one_student) refuse_folders(given.answers);
-  auto assignment = load_assignment(given.exercise);
+  auto assignment = load_assignment(given.exercise, given.language);
   if (!assignment) return complain(assignment.diagnostics);
   std::string secret;
   if (!given.secret_file.empty()) {
@@ -315,7 +319,8 @@ void set_up(CLI::App& app, int& status) {
     formats_help += "\n" + std::string(known->name) + ": " + std::string(known->description);
   }
   app.add_option("exercise", given->exercise,
-                 "the exercise, or an assignment of several (JSON, schema blossom.exercise/1 or blossom.assignment/1)")
+                 "the exercise, an assignment of several, or a lesson with checkpoints (JSON, schema "
+                 "blossom.exercise/1, blossom.assignment/1 or blossom.lesson/1)")
       ->required()
       ->option_text("EXERCISE");
   app.add_option("answers", given->answers,
@@ -334,6 +339,8 @@ void set_up(CLI::App& app, int& status) {
   app.add_option("--metadata", given->metadata,
                  "Gradescope's submission_metadata.json: all answers are that student's, handed in at that time")
       ->option_text("FILE");
+  app.add_option("--language", given->language, "of a lesson in several languages: which one, such as de")
+      ->option_text("LANGUAGE");
   app.add_option("--secret-file", given->secret_file, "the course's secret, which variants are drawn with")
       ->option_text("FILE");
   app.add_option("--now", given->now, "the time that decides which level of feedback is given, instead of the clock's")

@@ -230,9 +230,8 @@ class StudentPage {
 
   // Advice that was given already is only named.
   std::string feedback(const PartGrade& part, std::vector<std::string_view>& said) const {
-    const auto& known = exercise_->run.algorithm->misconceptions;
-    const auto m = std::ranges::find(known, part.misconception, &Misconception::id);
-    if (part.misconception.empty() || m == known.end()) return part.feedback;
+    const Misconception* const m = find_misconception(*exercise_, part.misconception);
+    if (m == nullptr) return part.feedback;
     if (std::ranges::find(said, part.misconception) == said.end()) {
       said.push_back(part.misconception);
       return part.feedback;

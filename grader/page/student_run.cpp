@@ -96,7 +96,7 @@ StudentRun::StudentRun(const ExerciseResult& result)
   for (const ValueId v : plan_.order) needed_[v] = 1;
   for (ValueId v = 0; v < count; ++v)
     if (trace().is_input(v)) standing_[v] = Standing::given, known_[v] = 1;
-  tells_right_ = exercise_->feedback == Feedback::full;
+  tells_right_ = exercise_->feedback == Feedback::full && !exercise_->is_sheet();
   read_answers(result);
   if (any_told()) choose_steps();
   if (tells_own_) replay();
@@ -109,6 +109,7 @@ void StudentRun::read_answers(const ExerciseResult& result) {
   answers_ = match_answers(*exercise_, result.answers->root()).part;
   answers_.resize(exercise_->parts.size(), nullptr);
   const bool told = tells_right_ || exercise_->feedback == Feedback::hint;
+  if (exercise_->is_sheet()) return;  // of several runs, or of none: what was typed is all there is to tell
   bool any = false, all_right = true;
   for (std::size_t i = 0; i < answers_.size(); ++i) {
     const Verdict verdict = grade_->parts[i].verdict;

@@ -90,8 +90,7 @@ class TextReport final : public Report {
       given.push_back(part.misconception);
       return text;
     }
-    const auto& known = exercise.run.algorithm->misconceptions;
-    const auto m = std::ranges::find(known, part.misconception, &Misconception::id);
+    const Misconception* const m = find_misconception(exercise, part.misconception);
     const std::string advice = advice_of(*m);
     if (!text.starts_with(advice)) return text;
     return "As above: " + std::string(m->title) + "." + text.substr(advice.size());

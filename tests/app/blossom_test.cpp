@@ -30,7 +30,7 @@ int lines_in(const std::string& text) { return static_cast<int>(std::ranges::cou
 
 TEST_CASE("Each command has a manual with an example of itself") {
   for (const std::string command : {
-         "list", "trace", "step", "lint",
+         "list", "trace", "step", "new", "lint",
 #if BLOSSOM_PLAYER
              "render"
 #endif
@@ -46,7 +46,7 @@ TEST_CASE("Each command has a manual with an example of itself") {
   const auto all = blossom::test::blossom({"--help"});
   SHOW(all);
   CHECK(all.status == 0);
-  for (const auto* command : {"list", "trace", "step", "lint"}) CHECK(contains(all.out, command));
+  for (const auto* command : {"list", "trace", "step", "new", "lint"}) CHECK(contains(all.out, command));
 }
 
 TEST_CASE("Wrong usage is said on standard error, with status 2 and the way to the manual") {
@@ -222,7 +222,7 @@ TEST_CASE("A whole lesson comes from standard input") {
   const auto ended = blossom::test::blossom({"trace", "-", "--exact"}, {.input = read_all("lessons/22-de-boor.json")});
   SHOW(ended);
   CHECK(ended.status == 0);
-  CHECK(ended.out == blossom::test::blossom({"trace", "05", "--exact"}).out);
+  CHECK(ended.out == blossom::test::blossom({"trace", "22", "--exact"}).out);
 }
 
 // ---- lint -----------------------------------------------------------------------------------------------------------
@@ -304,7 +304,7 @@ TEST_CASE("lint of a folder goes through its files; what is none of Blossom's is
 
 TEST_CASE("lint knows traces and surfaces, too") {
   const Scratch scratch;
-  const auto trace = blossom::test::blossom({"trace", "01", "--format", "json", "--exact"}).out;
+  const auto trace = blossom::test::blossom({"trace", "11", "--format", "json", "--exact"}).out;
   scratch.write("trace.json", trace);
   scratch.write("surface.json", R"({"degree": [1, 1], "points": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,1]]]})");
   const auto good = blossom::test::blossom({"lint", scratch.path()});

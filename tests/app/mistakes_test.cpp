@@ -85,8 +85,8 @@ TEST_CASE("Whatever is typed, messages are harmless lines") {
   const std::string evil = "x\n\x1B[2J\xC2\x9B\xE2\x80\xAEy";
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{evil},
                                                     {"trace", evil},
-                                                    {"trace", "05", "--format", evil},
-                                                    {"trace", "05", "--" + evil},
+                                                    {"trace", "22", "--format", evil},
+                                                    {"trace", "22", "--" + evil},
                                                     {"trace", "--algorithm", evil, "--inputs", "-"},
                                                     {"trace", "--algorithm", "de_boor", "--inputs", evil},
                                                     {"lint", evil},
@@ -100,7 +100,7 @@ TEST_CASE("Whatever is typed, messages are harmless lines") {
     CHECK(contains(lines.at(0), "\\x0A\\x1B[2J\\xC2\\x9B\\xE2\\x80\\xAEy"));
     for (const std::string& text : {ended.err, ended.out}) CHECK(text.find_first_of("\x1B\x9B") == std::string::npos);
   }
-  const auto play = blossom::test::blossom({"step", "05"}, {.input = "\x1B[2J\nw \x1B]0;x\x07\nq\n"});
+  const auto play = blossom::test::blossom({"step", "22"}, {.input = "\x1B[2J\nw \x1B]0;x\x07\nq\n"});
   SHOW(play);
   CHECK(play.status == 0);
   CHECK(contains(play.out, "no such command: \"\\x1B[2J\""));

@@ -109,6 +109,21 @@ CURVE_CHANGES = [
 ALGORITHMS = json.loads(schema_of("algorithms").read_text())
 
 
+# A note in every object there is, but in those of names that somebody else chose (answers, texts by language).
+def commented(node, key=""):
+    if isinstance(node, list):
+        return [commented(item) for item in node]
+    if not isinstance(node, dict):
+        return node
+    members = {name: commented(member, name) for name, member in node.items()}
+    return members if key == "answers" else {"$comment": ["a note", {"to": "whom"}], **members}
+
+
+# The runs of a lesson: itself, or its scenes.
+def scenes_of(lesson):
+    return [([], lesson)] if "scenes" not in lesson else [(["scenes", i], scene) for i, scene in enumerate(lesson["scenes"])]
+
+
 def run_changes(document):
     needed = ALGORITHMS["$defs"][document["algorithm"]]["required"]
     changes = RUN_CHANGES + [(["inputs", key], LEFT_OUT) for key in document["inputs"] if key in needed]
@@ -146,28 +161,84 @@ for kind in KINDS:
 
 # Lessons, and the traces of them in both kinds of numbers.
 lessons = files("lessons")
+PLACES = ["P[1", "", 3, {}, {"step": -1}, {"step": 0, "phase": "knots"}, {"last": "P["}, {"every": 1}, {"level": "2"}, {"after": ""}, {"evry": "P"}]
+BEAT_CHANGES = [
+    (["say"], LEFT_OUT),
+    (["say"], " "),
+    (["say"], {}),
+    (["say"], {"en": ""}),
+    (["say"], {"English": "Look."}),
+    (["at"], LEFT_OUT),
+    (["highlight"], "P[0][0]"),
+    (["highlight"], []),
+    (["spelled_wrong"], 1),
+    (["pause"], "long"),
+    (["pause"], 0),
+    (["pause"], 61),
+    (["camera"], {"fit": []}),
+    (["camera"], {"azimut": 1}),
+    (["camera"], []),
+    (["sliders"], []),
+    (["sliders"], [{"input": "u", "from": 0}]),
+    (["sliders"], [{"input": "", "from": 0, "to": 1}]),
+    (["sliders"], [{"input": "u", "from": "zero", "to": 1}]),
+    (["sliders"], [{"input": "u", "from": 0, "to": 1, "label": ""}]),
+    (["sliders"], [{"input": "u", "from": 0, "to": 1}] * 5),
+] + [(["at"], place) for place in PLACES]
+CHOICES = [{"text": "a"}, {"text": "b", "right": True}]
+CHECKPOINTS = [  # what is right, with changes that are not
+    ({"id": "c", "kind": "predict", "ask": "?", "value": "C", "decimals": 2, "points": "1/2", "right": "Yes.", "wrong": "No."},
+     [(["id"], "C"), (["id"], LEFT_OUT), (["kind"], "guess"), (["kind"], LEFT_OUT), (["ask"], LEFT_OUT), (["value"], LEFT_OUT),
+      (["decimals"], 13), (["points"], "many"), (["choices"], CHOICES), (["items"], ["a", "b"]), (["right"], ""), (["spelled_wrong"], 1)]),
+    ({"id": "c", "kind": "span", "ask": "?"}, [(["decimals"], 2), (["items"], ["a", "b"])]),
+    ({"id": "c", "kind": "line", "ask": "?"}, [(["value"], "k"), (["choices"], CHOICES)]),
+    ({"id": "c", "kind": "order", "ask": "?", "items": ["a", "b"]}, [(["items"], LEFT_OUT), (["items"], ["a"]), (["items"], ["a"] * 9), (["value"], "k")]),
+    ({"id": "c", "kind": "choice", "ask": "?", "choices": CHOICES},
+     [(["choices"], LEFT_OUT), (["choices"], CHOICES[:1]), (["choices", 0], "a"), (["choices", 0, "text"], LEFT_OUT),
+      (["choices", 0, "right"], "yes"), (["choices", 0, "feedback"], ""), (["choices", 0, "spelled_wrong"], 1)]),
+]
 for path in lessons:
     lesson = json.loads(path.read_text())
     must_be_valid("lesson", path.name, lesson)
-    required = ("schema", "id", "title", "beats")
-    must_be_invalid("lesson", path.name, lesson, run_changes(lesson) + [([key], LEFT_OUT) for key in required] + [
+    must_be_valid("lesson", f"{path.name} with comments", commented(lesson))
+    changes = [([key], LEFT_OUT) for key in ("schema", "id", "title")] + [
         (["spelled_wrong"], 1),
         (["schema"], "blossom.lesson/2"),
         (["id"], "Not an id"),
+        (["title"], []),
         (["minutes"], 0),
-        (["beats"], []),
-        (["beats", 0, "say"], LEFT_OUT),
-        (["beats", 0, "say"], " "),
-        (["beats", 0, "at"], LEFT_OUT),
-        (["beats", 0, "at"], "P[1"),
-        (["beats", 0, "at"], {"step": -1}),
-        (["beats", 0, "at"], {"step": 0, "phase": "knots"}),
-        (["beats", 0, "highlight"], "P[0][0]"),
-        (["beats", 0, "spelled_wrong"], 1),
-        (["predict"], {"ask": []}),
-        (["predict"], {"ask": ["P[1"]}),
-        (["predict"], {"marking": "never"}),
-    ])
+        (["objectives"], []),
+        (["objectives"], "Know it."),
+        (["prerequisites"], ["Not an id"]),
+        (["prerequisites"], ["a", "a"]),
+        (["exercises"], []),
+        (["language"], "English"),
+        (["languages"], ["en-GB"]),
+        (["colors"], {"crve": "#000"}),
+        (["colors"], {"curve": "red"}),
+        (["colors"], {"curve": {"night": "#fff"}}),
+        (["colors"], {"curve": {}}),
+        (["scenes"], []),
+        (["scenes"], [{"id": "a", "title": "A"}]),
+    ]
+    if "scenes" in lesson:
+        changes += [(["algorithm"], "de_boor"), (["inputs"], {}), (["beats"], lesson["scenes"][0]["beats"]), (["predict"], {})]
+    for where, scene in scenes_of(lesson):
+        changes += [(where + change, value) for change, value in run_changes(scene) + [
+            (["beats"], LEFT_OUT),
+            (["beats"], []),
+            (["predict"], {"ask": []}),
+            (["predict"], {"ask": ["P[1"]}),
+            (["predict"], {"marking": "never"}),
+            (["spelled_wrong"], 1),
+        ]]
+        if "scenes" not in lesson and path not in lessons[:3]:
+            continue  # what is in beats is alike in all of them
+        changes += [(where + ["beats", 0] + change, value) for change, value in BEAT_CHANGES]
+        for checkpoint, wrong in CHECKPOINTS:
+            must_be_valid("lesson", path.name, changed(lesson, where + ["beats", 0, "checkpoint"], checkpoint))
+            changes += [(where + ["beats", 0, "checkpoint"], changed(checkpoint, change, value)) for change, value in wrong]
+    must_be_invalid("lesson", path.name, lesson, changes)
     for exact in ([], ["--exact"]):
         trace = json.loads(run(blossom, "trace", path, "--format", "json", *exact))
         must_be_valid("trace", f"the trace of {path.name} {' '.join(exact)}", trace)
@@ -191,6 +262,7 @@ scenes = files("lessons/scenes")
 for path in scenes:
     scene = json.loads(path.read_text())
     must_be_valid("scene", path.name, scene)
+    must_be_valid("scene", f"{path.name} with comments", commented(scene))
     must_be_invalid("scene", path.name, scene, [([key], LEFT_OUT) for key in ("schema", "objects")] + [
         (["spelled_wrong"], 1),
         (["schema"], "blossom.scene/2"),
@@ -216,6 +288,7 @@ exercises = files("exercises")
 for path in exercises:
     exercise = json.loads(path.read_text())
     must_be_valid("exercise", path.name, exercise)
+    must_be_valid("exercise", f"{path.name} with comments", commented(exercise))
     required = ("schema", "id", "title", "prompt", "ask")
     must_be_invalid("exercise", path.name, exercise, run_changes(exercise) + [([key], LEFT_OUT) for key in required] + [
         (["spelled_wrong"], 1),
@@ -257,6 +330,8 @@ for path in demo:
         pass
 for path, answers in good.items():
     must_be_valid("answers", path.name, answers)
+    for letters in ("b", "cab", "C, A, B", ["c", "a", "b"], 4):
+        must_be_valid("answers", "answers to a checkpoint", changed(answers, ["answers", "in-order"], letters))
     must_be_invalid("answers", path.name, answers, [([key], LEFT_OUT) for key in ("schema", "exercise", "answers")] + [
         (["spelled_wrong"], 1),
         (["schema"], "blossom.answer/1"),
@@ -347,6 +422,23 @@ must_be_invalid("geometry", "a surface", surface, [
     (["weights"], [1, 1, 1, 1]),
     (["spelled_wrong"], 1),
 ])
+
+# Starts for lessons and exercises are what the schemas say, and comments are what `blossom lint` takes everywhere.
+with tempfile.TemporaryDirectory() as scratch:
+    scratch = pathlib.Path(scratch)
+    for kind, folder in (("lesson", "lessons"), ("exercise", "exercises")):
+        (scratch / folder).mkdir()
+        for algorithm in ("de_casteljau", "skinning", "surface_evaluation", "interpolation"):
+            start = scratch / f"{kind}-{algorithm}.json"
+            run(blossom, "new", kind, "--algorithm", algorithm, "--out", start)
+            must_be_valid(kind, f"the start of a {kind} about {algorithm}", json.loads(start.read_text()))
+    for path in lessons + exercises + scenes:
+        folder = scratch / path.relative_to(root).parent
+        folder.mkdir(exist_ok=True)
+        (folder / path.name).write_text(json.dumps(commented(json.loads(path.read_text()))))
+    mended = run(blossom, "lint", scratch / "lessons", scratch / "exercises", scratch / "lessons/scenes")
+    if mended != f"{len(lessons) + len(exercises) + len(scenes)} files are in order\n":
+        mistakes.append(f"blossom lint said of files with comments {mended!r}")
 
 # What the schemas accept, `blossom lint` accepts too.
 linted = run(blossom, "lint", *lessons, *scenes, *exercises, *good, course)

@@ -52,7 +52,7 @@ TEST_CASE("a file of another kind is told in one sentence, not by all that it la
   };
   const auto answers = told(answers_text("{}"));
   REQUIRE(answers.size() == 1);
-  CHECK(answers[0].message.starts_with("is an answers file, where an exercise or an assignment is wanted"));
+  CHECK(answers[0].message.starts_with("is an answers file, where an exercise, an assignment or a lesson is wanted"));
   const auto as_exercise = read_exercise(*JsonDocument::parse(
       "a.json", R"({"schema": "blossom.assignment/1", "id": "c", "title": "C", "exercises": []})"));
   REQUIRE(as_exercise.diagnostics.size() == 1);

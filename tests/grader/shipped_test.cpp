@@ -71,6 +71,12 @@ Effect effect_of(const Exercise& exercise, const Misconception& misconception) {
 // Where a misconception makes no difference to what is asked, and why that is as it should be.
 const std::map<std::string, std::string> shows_nowhere{
     {"heavy-weight swapped-weights", "u = 1/2: both weights are the same, and the exercise is on the division"},
+    {"cut-a-cubic neighbour-knot", "on a Bezier curve each ratio is u, whatever the level"},
+    {"own-halves neighbour-knot", "on a Bezier curve each ratio is u, whatever the level"},
+    {"velocities knots-forgotten", "the knots of a Bezier curve are 1 apart"},
+    {"velocities whole-support", "the knots of a Bezier curve are 1 apart"},
+    {"local-interpolation swapped-weights", "uniform parameters: both slopes count one half"},
+    {"own-tangents swapped-weights", "uniform parameters: both slopes count one half"},
 };
 
 }  // namespace

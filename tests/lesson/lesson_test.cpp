@@ -1,43 +1,7 @@
-#include "lesson/lesson.hpp"
-
-#include <catch2/catch.hpp>
+#include "lesson_text.hpp"
 
 using namespace blossom;
-
-namespace {
-
-JsonDocument parsed(const std::string& text) {
-  auto document = JsonDocument::parse("lesson.json", text);
-  INFO(to_string(document.diagnostics));
-  REQUIRE(document);
-  return *std::move(document);
-}
-
-const std::string header = R"({"schema": "blossom.lesson/1", "id": "a-lesson", "title": "A lesson", )";
-const std::string parabola = R"("algorithm": "de_casteljau",
-  "inputs": {"curve": {"degree": 2, "points": [[0, 0], [2, 4], [4, 0]]}, "u": "1/4"}, )";
-const std::string raised = R"("algorithm": "degree_elevation",
-  "inputs": {"curve": {"degree": 1, "knots": [0, 0, 1, 2, 2], "points": [[0, 0], [2, 4], [4, 0]]}, "times": 2}, )";
-
-// Of a lesson on the parabola with these beats: what is wrong.
-std::string mistakes(const std::string& beats, const std::string& run = parabola) {
-  const auto lesson = load_lesson(parsed(header + run + "\n\"beats\": [" + beats + "]}"));
-  CHECK(lesson.value.has_value() == lesson.diagnostics.empty());  // a lesson or reasons, never both, never neither
-  return to_string(lesson.diagnostics);
-}
-
-Lesson lesson_of(const std::string& beats, const std::string& run = parabola) {
-  auto lesson = load_lesson(parsed(header + run + "\"beats\": [" + beats + "]}"));
-  INFO(to_string(lesson.diagnostics));
-  REQUIRE(lesson);
-  return *std::move(lesson);
-}
-
-std::string beat(const std::string& at, const std::string& say = "Look.") {
-  return "{\"at\": " + at + ", \"say\": \"" + say + "\"}";
-}
-
-}  // namespace
+using namespace blossom::test;
 
 TEST_CASE("a lesson is its run, and what is said at its steps") {
   const auto lesson =
@@ -139,8 +103,8 @@ lesson.json:13:26: beats[3].say: must not be empty
 lesson.json:14:21: beats[4].at.step: must be a whole number from 0 to 4, not 5
 lesson.json:14:32: beats[4].say: a { has no } behind it, at "{ is left open."
 lesson.json:15:22: beats[5].at.phase: no phase of this run is called "elevate"; this algorithm runs in one piece
-lesson.json:16:12: beats[6].at: must have either "step" or "phase"
-lesson.json:17:12: beats[7].at: must be a selector such as "P[1][0]", "start", "end", {"step": 3} or {"phase": "parameters"}
+lesson.json:16:21: beats[6].at.step: must be the only key of its place
+lesson.json:17:12: beats[7].at: must be a selector such as "P[1][0]", "start", "end", or an object such as {"phase": "parameters"} or {"step": 3}
 lesson.json:17:44: beats[7].highlight: must have at least 1 item, not 0
 lesson.json:18:53: beats[8].highlight[0]: nothing of it is made yet at step 3; the first comes at step 4
 lesson.json:18:69: beats[8].highlight[2]: no value of this run is called "R[1]"
@@ -253,7 +217,7 @@ TEST_CASE("the beats of a lesson in a run with other inputs: those whose place i
     for (const Beat& each : resolve_beats(lesson, run->trace)) {
       CHECK((said.empty() || each.step > before));
       before = each.step;
-      said += each.say + "@" + std::to_string(each.step) + " ";
+      said += each.say.own() + "@" + std::to_string(each.step) + " ";
       for (const ValueId v : each.highlights) said += run->trace.name(v) + " ";
     }
     return said;
@@ -280,17 +244,6 @@ TEST_CASE("of beats that come to stand at one step, or in another order, the fir
   CHECK(beats[1].step == 4);
 }
 
-TEST_CASE("places are read as they are written") {
-  for (const std::string text :
-       {"\"start\"", "\"end\"", "{\"step\": 12}", "{\"phase\": \"raise[1].decompose\"}", "\"P[1..2][*]\""}) {
-    const auto document = parsed(text);
-    Diagnostics diagnostics;
-    const auto place = read_place(Cursor(document, diagnostics));
-    REQUIRE(place);
-    CHECK(write_place(*place) == text);
-  }
-}
-
 TEST_CASE("what a lesson must have") {
   const auto nothing = load_lesson(parsed("{}"));
   CHECK(to_string(nothing.diagnostics) ==
@@ -302,4 +255,99 @@ TEST_CASE("what a lesson must have") {
         "lesson.json:1:1: missing key \"beats\"\n");
   const auto list = load_lesson(parsed("[]"));
   CHECK(list.diagnostics.size() == 1);
+}
+
+TEST_CASE("a comment may stand in every object") {
+  const auto lesson = load_lesson(parsed(R"({
+    "$comment": "the whole", "schema": "blossom.lesson/1", "id": "a", "title": {"en": "T", "$comment": 1},
+    "algorithm": "de_casteljau",
+    "inputs": {"$comment": [], "curve": {"$comment": {}, "degree": 1, "points": [[0, 0], [2, 4]]}, "u": "1/4"},
+    "colors": {"$comment": "", "curve": {"$comment": "", "light": "#000"}},
+    "beats": [{"$comment": null, "at": {"$comment": "", "step": 0}, "say": "Look.", "camera": {"$comment": ""},
+               "sliders": [{"$comment": "", "input": "u", "from": 0, "to": 1}],
+               "checkpoint": {"$comment": "", "id": "c", "kind": "choice", "ask": "Which?",
+                              "choices": [{"$comment": "", "text": "a", "right": true}, {"text": "b"}]}}],
+    "predict": {"$comment": ""}})"));
+  CHECK(to_string(lesson.diagnostics).empty());
+}
+
+TEST_CASE("what a lesson says of its place in a course") {
+  const auto lesson = load_lesson(parsed(R"({"schema": "blossom.lesson/1", "id": "b", "title": "T", "minutes": 20,
+    "objectives": ["Know it.", "Do it."], "prerequisites": ["a"], "exercises": ["x", "y"], )" +
+                                         parabola + "\"beats\": [" + beat("\"start\"") + "]}"));
+  REQUIRE(lesson);
+  CHECK(lesson->minutes == 20);
+  REQUIRE(lesson->objectives.size() == 2);
+  CHECK(lesson->objectives[1] == "Do it.");
+  CHECK(lesson->prerequisites == std::vector<std::string>{"a"});
+  CHECK(lesson->exercises == std::vector<std::string>{"x", "y"});
+
+  CHECK(mistakes(beat("\"start\""), parabola, R"({"schema": "blossom.lesson/1", "id": "b", "title": "T",
+"objectives": [], "prerequisites": ["a", "b", "a", "No id"], "exercises": "x", "minutes": 601, )") ==
+        "lesson.json:2:15: objectives: must have at least 1 item, not 0\n"
+        "lesson.json:2:36: prerequisites: a lesson cannot be its own prerequisite\n"
+        "lesson.json:2:47: prerequisites[2]: \"a\" stands here already\n"
+        "lesson.json:2:52: prerequisites[3]: must be 1 to 64 of a-z, 0-9 and -, such as \"de-boor-2\", not \"No id\"\n"
+        "lesson.json:2:75: exercises: must be an array, not \"x\"\n"
+        "lesson.json:2:91: minutes: must be a whole number from 1 to 600, not 601\n");
+}
+
+// ---- several scenes -------------------------------------------------------------------------------------------------
+
+namespace {
+
+std::string scene(const std::string& id, const std::string& rest) {
+  return "{\"id\": \"" + id + "\", \"title\": \"Scene " + id + "\", " + rest + "}";
+}
+
+}  // namespace
+
+TEST_CASE("a lesson of several scenes runs one after the other") {
+  const auto lesson = load_lesson(parsed(
+      header + "\"scenes\": [" + scene("one", parabola + "\"beats\": [" + beat("\"end\"", "{C}") + "]") + ", " +
+      scene("two", raised + "\"predict\": {\"marking\": \"at-end\"}, \"beats\": [" + beat("\"start\"") + "]") + "]}"));
+  INFO(to_string(lesson.diagnostics));
+  REQUIRE(lesson);
+  REQUIRE(lesson->scene_count() == 2);
+  CHECK(lesson->algorithm == find_algorithm("de_casteljau"));  // a lesson is its first scene
+  CHECK(lesson->scene_at(0).scene == "one");
+  CHECK(lesson->scene_at(1).heading == "Scene two");
+  CHECK(lesson->scene_at(1).algorithm == find_algorithm("degree_elevation"));
+  CHECK(lesson->scene_at(1).marking == Marking::at_end);
+  CHECK(lesson->find_scene("two") == std::optional<std::size_t>(1));
+  CHECK(lesson->find_scene("1") == std::optional<std::size_t>(0));
+  CHECK_FALSE(lesson->find_scene("3"));
+  CHECK_FALSE(lesson->find_scene(""));
+}
+
+TEST_CASE("mistakes in each scene are told together, and a lesson has scenes or a run, not both") {
+  const auto lesson = load_lesson(parsed(header + "\n\"beats\": [],\n\"scenes\": [" +
+                                         scene("one", parabola + "\n\"beats\": [" + beat("\"P[9][9]\"") + "]") + ",\n" +
+                                         scene("one", parabola + "\n\"beats\": []") + ",\n7, {}]}"));
+  CHECK(
+      to_string(lesson.diagnostics) ==
+      "lesson.json:2:1: unknown key \"beats\"; the keys here are \"$schema\", \"schema\", \"id\", \"title\", \"unit\", "
+      "\"summary\", \"source\", \"minutes\", \"language\", \"languages\", \"objectives\", \"prerequisites\", "
+      "\"exercises\", \"scenes\" and \"colors\"\n"
+      "lesson.json:5:18: scenes[0].beats[0].at: no value of this run is called \"P[9][9]\"; did you mean \"P[0][0]\"?\n"
+      "lesson.json:6:8: scenes[1].id: \"one\" is the id of an earlier scene already\n"
+      "lesson.json:8:10: scenes[1].beats: must have at least 1 item, not 0\n"
+      "lesson.json:9:1: scenes[2]: must be an object with keys among \"id\", \"title\", \"algorithm\", \"inputs\", "
+      "\"beats\" and \"predict\", not 7\n"
+      "lesson.json:9:4: scenes[3]: missing key \"id\"\n"
+      "lesson.json:9:4: scenes[3]: missing key \"title\"\n"
+      "lesson.json:9:4: scenes[3]: missing key \"algorithm\"\n"
+      "lesson.json:9:4: scenes[3]: missing key \"inputs\"\n"
+      "lesson.json:9:4: scenes[3]: missing key \"beats\"\n");
+}
+
+TEST_CASE("no two checkpoints of a lesson have one id, in whatever scenes they stand") {
+  const std::string asks = R"("checkpoint": {"id": "c", "kind": "line", "ask": "Which line?"})";
+  const auto lesson = load_lesson(
+      parsed(header + "\"scenes\": [" + scene("one", parabola + "\"beats\": [" + beat_with("\"start\"", asks) + "]") +
+             ",\n" + scene("two", parabola + "\"beats\": [" + beat_with("\"start\"", asks) + "]") + "]}"));
+  CHECK(to_string(lesson.diagnostics) ==
+        "lesson.json:6:22: scenes[1].beats[0].checkpoint.id: \"c\" is the id of an earlier checkpoint already; each "
+        "needs "
+        "one of its own\n");
 }

@@ -30,7 +30,7 @@ TEST_CASE("in decimals a run may have other steps than in fractions: questions f
   player.session()->set_exact(false);
   CHECK(player.session()->last() != steps);
   if (const Prediction* prediction = player.session()->prediction())
-    for (const Question& question : prediction->questions()) {
+    for (const AskedValue& question : prediction->questions()) {
       const TraceGraph& graph = player.session()->recording().graph();
       REQUIRE(question.value < graph.value_count());
       CHECK(graph.name(question.value) == question.name);

@@ -40,7 +40,7 @@ TEST_CASE("An answer is typed, refused while it has not the right shape, and tak
   CHECK(player.draft().problem.empty());  // typing on, one is no longer told off
 
   const Prediction& prediction = *player.session()->prediction();
-  const Question& asked = prediction.questions()[*question];
+  const AskedValue& asked = prediction.questions()[*question];
   const auto& right = prediction.exercise().parts[asked.part].right;
   for (std::size_t i = 0; i < right.size(); ++i) player.set_draft(i, right[i].to_string());
   player.submit_draft();
@@ -104,7 +104,7 @@ TEST_CASE("A pair that is typed into one field fills both, and an answer is seen
   Player& player = world.player();
   open(player, "exercises/22-de-boor.json");
   const Prediction& prediction = *player.session()->prediction();
-  const auto point = static_cast<std::size_t>(std::ranges::find(prediction.questions(), "P[1][3]", &Question::name) -
+  const auto point = static_cast<std::size_t>(std::ranges::find(prediction.questions(), "P[1][3]", &AskedValue::name) -
                                               prediction.questions().begin());
   player.choose_question(point);
   player.set_draft(0, "(16, 20)");

@@ -7,7 +7,7 @@
 #include "grader/helpers.hpp"
 #include "player/document.hpp"
 #include "player/inputs.hpp"
-#include "player/recording.hpp"
+#include "scene/recording.hpp"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -95,7 +95,7 @@ TEST_CASE("questions are the asked values, in the order they are made") {
                                            "form": "homogeneous"}, {"value": "k", "points": 1}])")));
   const auto& trace = prediction.exercise().run.trace;
   Texts names;
-  for (const Question& q : prediction.questions()) {
+  for (const AskedValue& q : prediction.questions()) {
     names.push_back(q.name);
     CHECK(prediction.exercise().parts[q.part].name == q.name);
     CHECK(trace.name(q.value) == q.name);
@@ -120,7 +120,7 @@ TEST_CASE("a question is put only where the run that is stepped through has its 
   REQUIRE(shorter);
   const Prediction prediction(grader, Marking::at_once, shorter->trace);
   Texts names;
-  for (const Question& q : prediction.questions()) names.push_back(shorter->trace.name(q.value));
+  for (const AskedValue& q : prediction.questions()) names.push_back(shorter->trace.name(q.value));
   CHECK(names == Texts{"P[1][0]", "P[1][1]", "P[2][0]"});  // P[1][2] is gone
 }
 
@@ -375,7 +375,7 @@ TEST_CASE("what was shown stays shown: taken back, it is still counted, and an a
 }
 
 TEST_CASE("a clicked place is typed as finely as a pixel means it, in the shape of the question") {
-  Question point{0, "P[1][0]", 1, 0, ValueKind::point, 2, Form::affine};
+  AskedValue point{0, "P[1][0]", 1, 0, ValueKind::point, 2, Form::affine};
   const glm::dvec3 at{1.23456, -0.0004, 7.5};
   CHECK(prefilled(point, at, 0.01) == Texts{"1.23", "0"});
   CHECK(prefilled(point, at, 0.03) == Texts{"1.23", "0"});
@@ -385,10 +385,10 @@ TEST_CASE("a clicked place is typed as finely as a pixel means it, in the shape 
   point.size = 3;
   CHECK(prefilled(point, at, 0.5) == Texts{"1.2", "0", "7.5"});
 
-  Question homogeneous = point;
+  AskedValue homogeneous = point;
   homogeneous.form = Form::homogeneous;
   CHECK(prefilled(homogeneous, at, 0.01).empty());
-  Question weight = point;
+  AskedValue weight = point;
   weight.form = Form::weight;
   CHECK(prefilled(weight, at, 0.01).empty());
   for (const ValueKind kind : {ValueKind::integer, ValueKind::scalar, ValueKind::vector, ValueKind::list})
@@ -469,7 +469,7 @@ TEST_CASE("a question says which of its kind is asked, an answer stands as one w
   REQUIRE(recording);
   const StepSource& source = (*recording)->source();
   const Prediction prediction = predict(de_casteljau_grader());
-  const Question& point = prediction.questions()[question(prediction, "P[1][1]")];
+  const AskedValue& point = prediction.questions()[question(prediction, "P[1][1]")];
   CHECK(asked_words(point, source).starts_with("What is P[1][1]? It is the point 1 of level 1"));
   CHECK(answer_words(point, {"0", "16"}) == "P[1][1] = (0, 16)");
   CHECK(reason_words(point, source).starts_with("P[1][1] = (1 - u) P[0][1] + u P[0][2] = "));

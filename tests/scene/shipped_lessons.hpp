@@ -32,7 +32,7 @@ struct PreparedLesson {
   std::uint32_t step_count() const { return run.trace.step_count(); }
   std::string narration(std::uint32_t step) const { return lesson.narration(narrator, step); }
   Scene page(std::uint32_t step, double width = 1120, double height = 700) const {
-    return scenes.page(step, narration(step), {width, height, lesson.title});
+    return scenes.page(step, narration(step), {width, height, lesson.title.own()});
   }
 };
 

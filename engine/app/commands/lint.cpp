@@ -2,17 +2,24 @@
 // column.
 
 #include <algorithm>
+#include <atomic>
 #include <iostream>
+#include <map>
+#include <mutex>
+#include <thread>
 
 #include "algorithms/trace_json.hpp"
 #include "app/input.hpp"
 #include "geometry/document.hpp"
 #include "grader/answers.hpp"
 #include "grader/assignment.hpp"
+#include "grader/lesson_grader.hpp"
 #include "grader/variant.hpp"
 #include "lesson/catalog.hpp"
 #include "lesson/document.hpp"
 #include "lesson/file_kind.hpp"
+#include "lesson/links.hpp"
+#include "lesson/slider_check.hpp"
 #include "studio/scene_file.hpp"
 
 namespace blossom {
@@ -38,35 +45,72 @@ std::vector<fs::path> expand(const std::vector<std::string>& given, Diagnostics&
   return files;
 }
 
-// The exercise of this id in the folder of exercises, if it is there and in order.
-std::optional<Exercise> find_exercise(const std::string& id) {
-  Diagnostics none;  // a folder that cannot be read has no exercises
-  for (const fs::path& file : json_files(find_folder("exercises"), none)) {
-    const auto document = JsonDocument::load(file);
-    if (!document) continue;
-    const Json* own = document->root().find("id");
-    if (own == nullptr || own->text != id) continue;
-    auto exercise = read_exercise(*document);
-    if (exercise) return std::move(*exercise);
+// What the files that are checked name: lessons, and exercises with the answers that they expect. Each exercise is read
+// once, whoever asks for it.
+class Course {
+ public:
+  CourseIndex index;
+
+  // The folders that this file may name something in.
+  void add_folders_of(const fs::path& file, const Json& root) {
+    switch (file_kind(root)) {
+      case FileKind::lesson:
+        if (root.find("prerequisites") != nullptr) index.add_folder(file.parent_path());
+        if (root.find("exercises") != nullptr)
+          for (const fs::path& folder : folders_of_exercises(file)) index.add_folder(folder);
+        break;
+      case FileKind::answers:
+        index.add_folder(find_folder("exercises"));
+        index.add_folder(find_folder("lessons"));
+        break;
+      default:
+        break;
+    }
   }
-  return std::nullopt;
+
+  // The exercise of this id, or the checkpoints of the lesson; nullptr if there is none, or not in order.
+  const Exercise* find_exercise(const std::string& id) {
+    const std::scoped_lock lock(mutex_);
+    const auto [known, is_new] = read_.try_emplace(id);
+    if (!is_new) return known->second ? &*known->second : nullptr;
+    fs::path file = index.exercise_file(find_folder("exercises"), id);
+    const bool lesson = file.empty();
+    if (lesson) file = index.lesson_file(find_folder("lessons"), id);
+    const auto document = file.empty() ? Checked<JsonDocument>(Diagnostics()) : JsonDocument::load(file);
+    if (!document) return nullptr;
+    auto exercise = lesson ? read_sheet(*document) : read_exercise(*document);
+    if (!exercise) return nullptr;
+    known->second = std::move(*exercise);
+    known->second->run.trace.find({});  // builds its index now, for others read it at the same time
+    return &*known->second;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::optional<Exercise>> read_;
+};
+
+bool is_letters(const Json& json) {
+  return json.kind == Json::Kind::string && !json.text.empty() &&
+         json.text.find_first_not_of("abcdefghABCDEFGH ,") == std::string::npos;
 }
 
-// A number, an array of numbers, or {"set": [numbers]}.
+// A number, an array of numbers, {"set": [numbers]}, or letters.
 void check_answer(const Cursor& at) {
   if (at.is(Json::Kind::object)) {
     at.expect_object({"set"});
     if (const auto set = at.required("set"); set && set->expect_array())
       for (std::size_t i = 0; i < set->size(); ++i) (*set)[i].number();
   } else if (at.is(Json::Kind::array)) {
-    for (std::size_t i = 0; i < at.size(); ++i) at[i].number();
-  } else {
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (!is_letters(at[i].json())) at[i].number();
+  } else if (!is_letters(at.json())) {
     at.number();
   }
 }
 
 // What answers can be told without grading them: their form, and names that their exercise does not ask for.
-void check_answers(const Cursor& root) {
+void check_answers(const Cursor& root, Course& course) {
   if (!root.expect_object({"$schema", "schema", "exercise", "student", "answers"})) return;
   expect_schema(root, "blossom.answers/1");
   const auto id = root.required("exercise");
@@ -77,27 +121,40 @@ void check_answers(const Cursor& root) {
     if (answers) answers->error("must be an object of names and values, such as {\"P[1][0]\": [1, \"3/2\"]}");
     return;
   }
-  const auto exercise = text ? find_exercise(*text) : std::nullopt;
-  std::vector<std::string> asked;
-  if (exercise)
-    for (const Part& part : exercise->parts) asked.push_back(part.name);
+  const Exercise* exercise = text ? course.find_exercise(*text) : nullptr;
   for (std::size_t i = 0; i < answers->size(); ++i) {
     const std::string& name = answers->json().keys[i];
-    check_answer(answers->member(i));
-    if (asked.empty() || std::ranges::find(asked, name) != asked.end()) continue;
+    const Cursor answer = answers->member(i);
+    const auto part = exercise != nullptr ? exercise->part(name) : std::nullopt;
+    const Question* question = part ? exercise->parts[*part].question.get() : nullptr;
+    if (question != nullptr && !question->is_value()) {
+      if (const auto mark = mark_letters(*question, answer.json()); !mark.problem.empty()) answer.error(mark.problem);
+      continue;
+    }
+    check_answer(answer);
+    if (exercise == nullptr || part) continue;
     std::string message = "the exercise does not ask for " + excerpt(name);
     if (const auto near = nearest_asked(*exercise, name)) message += "; did you mean \"" + *near + "\"?";
     answers->key_error(i, message);
   }
 }
 
-Diagnostics lint(const JsonDocument& document) {
+// A lesson by itself, and what it names in other files.
+Diagnostics lint_lesson(const JsonDocument& document, const Course& course) {
+  Diagnostics diagnostics = load_lesson(document).diagnostics;
+  const auto add = [&](const Diagnostics& more) { diagnostics.insert(diagnostics.end(), more.begin(), more.end()); };
+  if (diagnostics.empty()) add(check_sliders(document));
+  add(check_links(document, course.index));
+  return diagnostics;
+}
+
+Diagnostics lint(const JsonDocument& document, Course& course) {
   if (document.name().ends_with(".schema.json")) return {};  // it is about such files
   Diagnostics diagnostics;
   const Cursor root(document, diagnostics);
   switch (file_kind(document.root())) {
     case FileKind::lesson:
-      return load_lesson(document).diagnostics;
+      return lint_lesson(document, course);
     case FileKind::exercise: {
       const auto exercise = read_exercise(document);
       return exercise ? check_variants(document) : exercise.diagnostics;
@@ -115,7 +172,7 @@ Diagnostics lint(const JsonDocument& document) {
     case FileKind::scene:
       return read_scene(document).diagnostics;
     case FileKind::answers:
-      check_answers(root);
+      check_answers(root, course);
       break;
     case FileKind::grade:
       expect_schema(root, "blossom.grade/1");
@@ -136,15 +193,37 @@ Diagnostics lint(const JsonDocument& document) {
   return diagnostics;
 }
 
+// Does this for every number below count, on as many threads as there are processors.
+template <class Work>
+void for_each_in_parallel(std::size_t count, const Work& work) {
+  std::atomic<std::size_t> next = 0;
+  const auto loop = [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  };
+  std::vector<std::jthread> others;
+  const std::size_t threads = std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), count);
+  for (std::size_t t = 1; t < threads; ++t) others.emplace_back(loop);
+  loop();
+}
+
 int run(const std::vector<std::string>& given) {
   Diagnostics all;
   std::size_t good = 0;
   const auto files = expand(given, all);
-  for (const fs::path& file : files) {
-    const auto document = JsonDocument::load(file);
-    const Diagnostics found = document ? lint(*document) : document.diagnostics;
-    good += found.empty() ? 1 : 0;
-    all.insert(all.end(), found.begin(), found.end());
+  std::vector<std::optional<Checked<JsonDocument>>> documents(files.size());
+  for_each_in_parallel(files.size(), [&](std::size_t i) { documents[i] = JsonDocument::load(files[i]); });
+  Course course;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (*documents[i]) course.index.add(files[i], **documents[i]);
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (*documents[i]) course.add_folders_of(files[i], (*documents[i])->root());
+  std::vector<Diagnostics> found(files.size());
+  for_each_in_parallel(files.size(), [&](std::size_t i) {
+    found[i] = *documents[i] ? lint(**documents[i], course) : documents[i]->diagnostics;
+  });
+  for (const Diagnostics& of_file : found) {
+    good += of_file.empty() ? 1 : 0;
+    all.insert(all.end(), of_file.begin(), of_file.end());
   }
   const int status = report(all);
   if (files.empty()) return status;
@@ -158,7 +237,9 @@ void set_up(CLI::App& app, int& status) {
   auto files = std::make_shared<std::vector<std::string>>();
   app.add_option("FILES", *files, "Files, or folders of them; by default `lessons`, `exercises` and `lessons/scenes`");
   app.footer(
-      "Names every mistake at once, as file:line:column: path: what is wrong, and what would be right.\n"
+      "Names every mistake at once, as file:line:column: path: what is wrong, and what would be right: in their form\n"
+      "and words, in what they say at each step, in the prerequisites and exercises they name, in what a slider would\n"
+      "make of their inputs.\n"
       "Examples:\n"
       "  blossom lint\n"
       "  blossom lint my-lesson.json exercises\n"

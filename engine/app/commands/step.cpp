@@ -6,6 +6,7 @@
 #include "algorithms/selector.hpp"
 #include "app/input.hpp"
 #include "app/text.hpp"
+#include "lesson/prose.hpp"
 #include "trace/timeline.hpp"
 #include "trace/why.hpp"
 
@@ -28,7 +29,7 @@ class Stepper {
       : subject_(subject), narrator_(narrator), timeline_(narrator.trace()) {
     if (!subject.lesson) return;
     std::vector<std::uint32_t> beats;
-    for (const Beat& beat : subject.lesson->beats) beats.push_back(beat.step);
+    for (const Beat& beat : subject.lesson_scene()->beats) beats.push_back(beat.step);
     timeline_.set_marks(std::move(beats));
   }
 
@@ -98,7 +99,7 @@ class Stepper {
     if (const int line = narrator_.line(step); line > 0)
       std::cout << "    " << line << "  "
                 << narrator_.algorithm_at(step).pseudo_code[static_cast<std::size_t>(line) - 1] << "\n";
-    std::cout << wrapped(subject_.narration(narrator_, step)) << "\n";
+    std::cout << wrapped(plain_text(read_prose(subject_.narration(narrator_, step)))) << "\n";
     if (const ValueId v = trace.main_value(step); v != absent && !trace.is_input(v)) {
       std::cout << "    " << trace.name(v) << " = " << narrator_.formula(v) << "\n";
       if (const auto polar = narrator_.polar(v); !polar.empty()) std::cout << "    blossom value " << polar << "\n";

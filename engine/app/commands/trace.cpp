@@ -5,6 +5,7 @@
 #include "algorithms/trace_json.hpp"
 #include "app/input.hpp"
 #include "app/text.hpp"
+#include "lesson/prose.hpp"
 
 namespace blossom {
 namespace {
@@ -30,7 +31,7 @@ std::string as_text(const Narrator<S>& narrator, const Subject& subject) {
     const int line = narrator.line(step);
     const std::string head = std::string(last.size() - number.size(), ' ') + number + "  " +
                              std::string(2 * depth, ' ') + (line > 0 ? "[" + std::to_string(line) + "] " : "");
-    text += head + wrapped(subject.narration(narrator, step), head.size()) + "\n";
+    text += head + wrapped(plain_text(read_prose(subject.narration(narrator, step))), head.size()) + "\n";
   }
   if (const auto tableau = narrator.tableau(trace.step_count() - 1); !tableau.empty())
     text += "\nThe triangular scheme:\n\n" + tableau;

@@ -1,13 +1,13 @@
 // blossom render: the steps of an algorithm as pictures, or a scene of the studio as one.
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <charconv>
 #include <iostream>
 
 #include "app/input.hpp"
+#include "app/page_look.hpp"
+#include "app/progress.hpp"
 #include "lesson/file_kind.hpp"
+#include "render/lesson_theme.hpp"
 #include "render/picture.hpp"
 #include "scene/step_scene.hpp"
 #include "scene/workspace_view.hpp"
@@ -26,45 +26,11 @@ struct Options {
   bool exact = false;
   std::string out = "out";
   std::string contact_sheet;
-  std::string size = "1120x700";
-  double scale = 1;
-  std::string theme = "light";
+  PageLookOptions look;
   std::string context = "osmesa";
 };
 
 constexpr std::uint32_t most_on_sheet = 24;
-
-constexpr double most_pixels = 64e6;
-constexpr int longest_side = 16384;
-
-bool parse_size(const std::string& text, double& width, double& height) {
-  const auto x = text.find('x');
-  if (x == std::string::npos) return false;
-  int w = 0, h = 0;
-  const char* end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), text.data() + x, w);
-  const auto second = std::from_chars(text.data() + x + 1, end, h);
-  if (first.ec != std::errc() || first.ptr != text.data() + x || second.ec != std::errc() || second.ptr != end)
-    return false;
-  const bool fits = w >= 480 && h >= 360 && w <= longest_side && h <= longest_side;
-  if (fits) {
-    width = w;
-    height = h;
-  }
-  return fits;
-}
-
-// CLI::Range lets through what is no number.
-std::string check_scale(const std::string& text) {
-  const auto scale = parse_number<double>(text);
-  return scale && 0.25 <= *scale && *scale <= 8 ? "" : "must be a number from 0.25 to 8, not " + excerpt(text);
-}
-
-// One line that is written over, on a terminal only.
-void progress(std::uint32_t done_steps, std::uint32_t count) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  std::cerr << "\rdrawing " << done_steps << " / " << count << (done_steps == count ? "\n" : "") << std::flush;
-}
 
 std::string file_name(const std::string& stem, std::uint32_t step, std::uint32_t last, const char* extension) {
   std::string number = std::to_string(step);
@@ -73,12 +39,15 @@ std::string file_name(const std::string& stem, std::uint32_t step, std::uint32_t
 }
 
 template <Scalar S>
-int draw(const Subject& subject, const Options& options, PageOptions page, const Theme& theme) {
+int draw(const Subject& subject, const Options& options, const PageLook& look) {
   const auto recorded = record<S>(subject);
   if (!recorded) return report(recorded.diagnostics);
   const Narrator<S> narrator(*recorded, 6);
   const StepSource source = make_source(narrator);
   const StepScenes scenes(source);
+  PageOptions page;
+  page.width = look.width;
+  page.height = look.height;
   page.title = subject.title();
   const std::uint32_t last = recorded->trace.step_count() - 1;
 
@@ -98,8 +67,8 @@ int draw(const Subject& subject, const Options& options, PageOptions page, const
   std::vector<std::uint32_t> on_sheet = steps;
   if (steps.size() > most_on_sheet) {
     on_sheet.clear();
-    if (subject.lesson && subject.lesson->beats.size() > 1)
-      for (const Beat& beat : subject.lesson->beats) on_sheet.push_back(beat.step);
+    if (subject.lesson && subject.lesson_scene()->beats.size() > 1)
+      for (const Beat& beat : subject.lesson_scene()->beats) on_sheet.push_back(beat.step);
     else
       for (std::uint32_t i = 0; i < most_on_sheet; ++i) on_sheet.push_back(i * last / (most_on_sheet - 1));
   }
@@ -112,18 +81,19 @@ int draw(const Subject& subject, const Options& options, PageOptions page, const
   std::vector<std::string> captions;
   const bool each = options.step >= 0 || options.all || options.contact_sheet.empty();
   std::size_t written = 0;
+  auto progress = std::make_optional<Progress>();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const std::uint32_t step = steps[i];
     const Scene scene = scenes.page(step, subject.narration(narrator, step), page);
     const std::string title = page.title + ", step " + std::to_string(step);
     Checked<bool> saved = true;
     if (options.svg) {
-      const auto text = draw_svg(scene, theme);
+      const auto text = draw_svg(scene, *look.theme);
       if (!text) return report(text.diagnostics);
       if (each) saved = write_file(fs::path(options.out) / file_name(stem, step, last, ".svg"), *text);
     }
     if (!options.svg || !options.contact_sheet.empty()) {
-      auto image = draw_image(scene, theme, options.scale, options.context);
+      auto image = draw_image(scene, *look.theme, look.scale, options.context);
       if (!image) {
         report(image.diagnostics);
         return machine_at_fault;
@@ -141,8 +111,9 @@ int draw(const Subject& subject, const Options& options, PageOptions page, const
       return machine_at_fault;
     }
     written += each ? 1 : 0;
-    if (steps.size() > 1) progress(static_cast<std::uint32_t>(i) + 1, static_cast<std::uint32_t>(steps.size()));
+    if (steps.size() > 1) progress->show(i + 1, steps.size());
   }
+  progress.reset();
   if (!options.contact_sheet.empty()) {
     const auto fonts = Fonts::load();
     if (!fonts) {
@@ -150,7 +121,7 @@ int draw(const Subject& subject, const Options& options, PageOptions page, const
       return machine_at_fault;
     }
     const int columns = images.size() < 5 ? 2 : (images.size() < 17 ? 3 : 4);
-    const auto saved = write_png(options.contact_sheet, contact_sheet(**fonts, theme, images, captions, columns, 560),
+    const auto saved = write_png(options.contact_sheet, contact_sheet(**fonts, *look.theme, images, captions, columns, 560),
                                  page.title + ": all steps");
     if (!saved) {
       report(saved.diagnostics);
@@ -172,7 +143,7 @@ bool names_scene(const std::string& given) {
 }
 
 // One picture: into the file --out if it is called .png or .svg, or else into that folder.
-int draw_scene(const Options& options, const PageOptions& page, const Theme& theme) {
+int draw_scene(const Options& options, const PageLook& look) {
   const auto workspace = load_scene(options.subject.lesson);
   if (!workspace) return report(workspace.diagnostics);
   const std::string extension = fs::path(options.out).extension().string();
@@ -185,16 +156,16 @@ int draw_scene(const Options& options, const PageOptions& page, const Theme& the
     file /= (workspace->id.empty() ? fs::path(options.subject.lesson).stem().string() : workspace->id) +
             (svg ? ".svg" : ".png");
   }
-  WorkspaceLook look;
-  if (workspace->objects.size() == 1) look.current = 0;
-  const Scene scene = WorkspaceScenes().page(*workspace, look, page.width, page.height);
+  WorkspaceLook shown;
+  if (workspace->objects.size() == 1) shown.current = 0;
+  const Scene scene = WorkspaceScenes().page(*workspace, shown, look.width, look.height);
   Checked<bool> saved = true;
   if (svg) {
-    const auto text = draw_svg(scene, theme);
+    const auto text = draw_svg(scene, *look.theme);
     if (!text) return report(text.diagnostics);
     saved = write_file(file, *text);
   } else {
-    const auto image = draw_image(scene, theme, options.scale, options.context);
+    const auto image = draw_image(scene, *look.theme, look.scale, options.context);
     if (!image) {
       report(image.diagnostics);
       return machine_at_fault;
@@ -210,30 +181,18 @@ int draw_scene(const Options& options, const PageOptions& page, const Theme& the
 }
 
 int run(const Options& options) {
-  PageOptions page;
   Diagnostics mistakes;
-  if (!parse_size(options.size, page.width, page.height))
-    mistakes.push_back({"", 0, 0, "--size",
-                        "must be WIDTHxHEIGHT, at least 480x360 and no side above " + std::to_string(longest_side) +
-                            ", not " + excerpt(options.size)});
-  // SVG has no pixels, but its page keeps to the same bounds.
-  const double scale = options.svg && options.contact_sheet.empty() ? 1 : options.scale;
-  const double width = page.width * scale, height = page.height * scale;
-  if (width * height > most_pixels || std::max(width, height) > longest_side)
-    mistakes.push_back({"", 0, 0, "--size",
-                        "times --scale makes " + format_short(width, 0) + "x" + format_short(height, 0) +
-                            " pixels; they must be at most 64 million, and " + std::to_string(longest_side) +
-                            " along a side"});
-  const auto theme = find_theme(options.theme);
-  for (const auto& mistake : theme.diagnostics) mistakes.push_back({"", 0, 0, "--theme", mistake.message});
+  PageLook look = read_page_look(options.look, !options.svg || !options.contact_sheet.empty(), mistakes);
   if (!mistakes.empty()) {
     report(mistakes);
     return wrong_usage;
   }
-  if (names_scene(options.subject.lesson)) return draw_scene(options, page, **theme);
+  if (names_scene(options.subject.lesson)) return draw_scene(options, look);
   const auto subject = load_subject(options.subject);
   if (!subject) return report(subject.diagnostics);
-  return options.exact ? draw<Exact>(*subject, options, page, **theme) : draw<double>(*subject, options, page, **theme);
+  const Theme theme = with_colors(*look.theme, subject->lesson ? subject->lesson->colors : LessonColors());
+  look.theme = &theme;
+  return options.exact ? draw<Exact>(*subject, options, look) : draw<double>(*subject, options, look);
 }
 
 void set_up(CLI::App& app, int& status) {
@@ -247,13 +206,7 @@ void set_up(CLI::App& app, int& status) {
   app.add_flag("--exact", options->exact, "Compute and label in exact fractions");
   app.add_option("--out", options->out, "The folder for the pictures; of a scene also a file, .png or .svg")
       ->capture_default_str();
-  app.add_option("--size", options->size,
-                 "Width and height of the page, from 480x360; times --scale at most 64 million pixels")
-      ->capture_default_str();
-  app.add_option("--scale", options->scale, "Pixels for each unit of the page: 2 for high-resolution screens")
-      ->check(check_scale, "0.25 to 8")
-      ->capture_default_str();
-  app.add_option("--theme", options->theme, "light, dark or contrast")->capture_default_str();
+  add_page_look_options(app, options->look);
   app.add_option("--context", options->context, "How OpenGL is reached without a display: osmesa or egl")
       ->check(CLI::IsMember({"osmesa", "egl"}))
       ->capture_default_str();

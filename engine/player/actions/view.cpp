@@ -53,10 +53,10 @@ const ActionGroup& actions_view() {
       40,
       {
           {"view.fit", "Fit all into the view", {"F"}, fit, has_view, nullptr, Where::both},
-          {"view.closer", "Closer", {"Ctrl+PageUp"}, [](Player& p) { zoom(p, 1.25); }, has_view, nullptr, Where::both},
+          {"view.closer", "Closer", {"Z"}, [](Player& p) { zoom(p, 1.25); }, has_view, nullptr, Where::both},
           {"view.farther",
            "Farther",
-           {"Ctrl+PageDown"},
+           {"Shift+Z"},
            [](Player& p) { zoom(p, 0.8); },
            has_view,
            nullptr,

@@ -37,6 +37,22 @@ void themes(Ui& ui) {
   }
 }
 
+// Of the lesson that is open, if it has several; a lesson without the language one reads is shown in its own.
+void languages(Ui& ui) {
+  const auto all = ui.player().languages();
+  if (all.size() < 2) return;
+  ui.heading("Language of lessons");
+  const bool known = std::ranges::find(all, ui.player().language()) != all.end();
+  for (const std::string& each : all) {
+    if (each != all.front()) ImGui::SameLine();
+    const bool on = known ? ui.player().language() == each : each == all.front();
+    if (ImGui::RadioButton(each.c_str(), on))
+      ui.send([each](Player& player) { player.settings.language = each; });
+    ui.thing("settings language " + each);
+  }
+  ImGui::Dummy({0, ui.px(2)});
+}
+
 // Its value stands beside it: on it, the knob would cover the words.
 float slider_width(const Ui& ui, const char* value) {
   const float beside = ImGui::CalcTextSize(value).x + ImGui::GetStyle().ItemSpacing.x;
@@ -86,6 +102,7 @@ void draw(Ui& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, std::max(1.0f, ui.px(1)));  // what is off is to be seen, too
   themes(ui);
   ImGui::Dummy({0, ui.px(2)});
+  languages(ui);
   text_size(ui);
   ImGui::Dummy({0, ui.px(2)});
   ui.heading("Steps");

@@ -21,6 +21,26 @@ std::size_t curve_of(const Player& player) {
 constexpr double left = 8;
 double line_width(double width) { return width - left - basis_bar_room; }
 
+// The span a lesson asks for: the one that is clicked.
+void pick_span(Ui& ui, const Mouse& mouse, const KnotAxis& axis) {
+  const auto& curve = ui.player().session()->recording().source().curves[curve_of(ui.player())];
+  const double u = axis.parameter(mouse.now().x);
+  for (int i = curve.degree; i <= curve.n(); ++i) {
+    const double a = curve.knots[static_cast<std::size_t>(i)], b = curve.knots[static_cast<std::size_t>(i) + 1];
+    if (!(a < b) || u < a || u >= b) continue;
+    const ImVec2 low{mouse.origin.x + ui.px(axis.place(a)), mouse.origin.y + ui.px(knot_line_at - 6)};
+    const ImVec2 high{mouse.origin.x + ui.px(axis.place(b)), mouse.origin.y + ui.px(knot_line_at + 6)};
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, ui.color(Role::highlight, 0.3), ui.px(3));
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (ImGui::IsMouseReleased(0))
+      ui.send([i](Player& p) {
+        p.checkpoints().type({std::to_string(i)});
+        p.submit_checkpoint();
+      });
+    return;
+  }
+}
+
 void handle_mouse(Ui& ui, const Mouse& mouse, const std::vector<Spot>& spots, const KnotAxis& axis) {
   const Player& player = ui.player();
   const Session& session = *player.session();
@@ -39,6 +59,7 @@ void handle_mouse(Ui& ui, const Mouse& mouse, const std::vector<Spot>& spots, co
     });
   };
   if (mouse.over()) {
+    if (player.checkpoint_asks(Checkpoint::Kind::span)) return pick_span(ui, mouse, axis);
     const Spot* spot = spot_at(spots, mouse.now());
     const bool on_axis = mouse.now().x > axis.left - 8 && mouse.now().x < axis.right + 8;
     if (spot != nullptr) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

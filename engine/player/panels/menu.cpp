@@ -127,6 +127,14 @@ struct RightItem {
   void (*draw)(Ui&);
 };
 
+// "DE": which one reads.
+std::string language_label(const Player& player) {
+  const auto all = player.languages();
+  std::string label = std::ranges::find(all, player.language()) != all.end() ? std::string(player.language()) : all[0];
+  for (char& c : label) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return label;
+}
+
 float button_width(const char* label) { return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x; }
 
 std::vector<RightItem> right_items(const Ui& ui) {
@@ -152,6 +160,10 @@ std::vector<RightItem> right_items(const Ui& ui) {
     items.push_back({button_width("Predict"), 5, [](Ui& u) {
                        u.action_button("predict.toggle", "Predict");
                        if (u.player().session()->prediction() != nullptr) underline(u);
+                     }});
+  if (ui.player().languages().size() > 1)
+    items.push_back({button_width(language_label(ui.player()).c_str()), 7, [](Ui& u) {
+                       u.action_button("lesson.language", language_label(u.player()).c_str());
                      }});
   items.push_back({button_width("\u25D0"), 3, [](Ui& u) { u.action_button("view.next_theme", "\u25D0"); }});
   items.push_back({button_width("?"), 7, [](Ui& u) { u.action_button("help.shortcuts", "?"); }});
@@ -184,8 +196,8 @@ void draw_title(Ui& ui, float from, float to) {
   const Session* session = ui.player().session();
   const Studio* studio = ui.player().studio();
   if ((session == nullptr && studio == nullptr) || to - from < ui.px(40)) return;
-  const std::string whole = session != nullptr ? session->document().title() : studio->title();
-  const bool unsaved = session != nullptr ? session->unsaved() : studio->unsaved();
+  const std::string whole = session != nullptr ? ui.player().title() : studio->title();
+  const bool unsaved = session != nullptr ? ui.player().unsaved() : studio->unsaved();
   const std::string mark = unsaved ? "  \u2022 edited" : "";
   const float mark_width = ImGui::CalcTextSize(mark.c_str()).x;
   ImGui::PushFont(ui.bold());

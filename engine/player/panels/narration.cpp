@@ -16,7 +16,7 @@ void draw(Ui& ui) {
   const Session& session = *ui.player().session();
   const Session::Words words = session.words();
   const double width = ui.units(ImGui::GetContentRegionAvail().x);
-  const auto say = [&](const std::string& text, double size, Role role) {
+  const auto say = [&](const auto& text, double size, Role role) {
     double height = 0;
     Sheet sheet = ui.flow(text, width, size, role, height);
     ui.sheet("narration", std::move(sheet), width, height);
@@ -27,22 +27,25 @@ void draw(Ui& ui) {
     path += (path.empty() ? "" : "  ›  ") + session.recording().source().phase_title(phase);
   if (!path.empty()) say(path, 0.9, Role::text_quiet);
   // An exercise says what it asks.
-  if (const std::string prompt = prompt_of(session); !prompt.empty()) say(prompt, 1, Role::text_strong);
-  say(words.text, text_size, Role::text);
-  if (!words.lesson.empty()) say("The lesson, written for its own numbers: " + words.lesson, 0.9, Role::text_quiet);
+  if (const std::string prompt = prompt_of(session); !prompt.empty()) say(read_prose(prompt), 1, Role::text_strong);
+  say(read_prose(words.text), text_size, Role::text);
+  if (!words.lesson.empty()) {
+    say(std::string("The lesson, written for its own numbers:"), 0.9, Role::text_quiet);
+    say(read_prose(words.lesson), 0.9, Role::text_quiet);
+  }
 }
 
 double wanted(const Ui& ui, double width) {
   const Session& session = *ui.player().session();
   double height = 18, part = 0;
-  ui.flow(session.words().text, width - 24, text_size, Role::text, part);
+  ui.flow(read_prose(session.words().text), width - 24, text_size, Role::text, part);
   height += part;
   if (const std::string prompt = prompt_of(session); !prompt.empty()) {
-    ui.flow(prompt, width - 24, 1, Role::text_strong, part);
+    ui.flow(read_prose(prompt), width - 24, 1, Role::text_strong, part);
     height += part;
   }
   if (session.recording().graph().phases().size() > 0) height += 20;
-  if (!session.words().lesson.empty()) height += 22;
+  if (!session.words().lesson.empty()) height += 44;
   // The picture above is not to jump with every step's words, where there is room for some more.
   return ui.height() < 560 ? height : std::max(height, 84.0);
 }

@@ -21,7 +21,7 @@ void invite(Ui& ui) {
 
 // ---- one question -----------------------------------------------------------------------------------------------
 
-std::vector<std::string> labels_of(const Question& question, int dimension) {
+std::vector<std::string> labels_of(const AskedValue& question, int dimension) {
   if (question.kind != ValueKind::point && question.kind != ValueKind::vector) return {""};
   std::vector<std::string> labels;
   const char* const names[] = {"x", "y", "z"};
@@ -57,7 +57,7 @@ void draw_spans(Ui& ui, const Session& session) {
 }
 
 void draw_lines(Ui& ui, const Session& session, const Prediction& prediction, std::size_t q) {
-  const Question& question = prediction.questions()[q];
+  const AskedValue& question = prediction.questions()[q];
   const StepSource& source = session.recording().source();
   const int right_line = source.line(question.step);
   if (right_line == 0) return;
@@ -82,14 +82,14 @@ void draw_lines(Ui& ui, const Session& session, const Prediction& prediction, st
   }
 }
 
-const char* hint_of(const Question& question, std::size_t q) {
+const char* hint_of(const AskedValue& question, std::size_t q) {
   if (question.size == 0) return "e.g. 0, 0, 1/2, 1, 1";
   if (question.kind == ValueKind::integer) return "a whole number";
   return q == 0 ? "e.g. 3/4" : "";
 }
 
 // One field for each number; what was marked or shown can only be read.
-void draw_fields(Ui& ui, const Session& session, const Question& question, std::size_t q) {
+void draw_fields(Ui& ui, const Session& session, const AskedValue& question, std::size_t q) {
   const auto labels = labels_of(question, session.recording().source().dimension);
   const Prediction& prediction = *session.prediction();
   const auto& draft = ui.player().draft();
@@ -155,7 +155,7 @@ void draw_fields(Ui& ui, const Session& session, const Question& question, std::
 }
 
 void draw_question(Ui& ui, const Session& session, const Prediction& prediction, std::size_t q) {
-  const Question& question = prediction.questions()[q];
+  const AskedValue& question = prediction.questions()[q];
   predict_text(ui, asked_words(question, session.recording().source()), 1.05, Role::text);
   const auto& attempt = prediction.attempt(q);
   if (question.name == "k" && !prediction.finished() && !prediction.mark(q) && !(attempt && attempt->shown))

@@ -35,21 +35,43 @@ void sign(Ui& ui) {
   ImGui::Dummy({side, side});
 }
 
-void draw_list(Ui& ui, const Diagnostics& list) {
-  for (const Diagnostic& wrong : list) {
-    if (const std::string place = place_of(wrong); !place.empty()) {
-      ImGui::PushFont(ui.mono());
-      ImGui::PushStyleColor(ImGuiCol_Text, ui.ink(Role::text_quiet));
-      ImGui::TextUnformatted(shortened(place, ImGui::GetContentRegionAvail().x).c_str());
-      ImGui::PopStyleColor();
-      ImGui::PopFont();
-    }
-    ImGui::PushTextWrapPos(0);
-    const std::string path = wrong.path.empty() ? "" : printable(wrong.path) + ": ";
-    ImGui::TextUnformatted((path + printable(wrong.message)).c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::Dummy({0, ui.px(1)});
+void copy(Ui& ui, const Diagnostics& list) {
+  ui.send([text = to_string(list), count = list.size()](Player& player) {
+    player.desk().set_clipboard(text);
+    player.notice(count == 1 ? "Copied." : "Copied: " + std::to_string(count) + " mistakes.");
+  });
+}
+
+// Where and what, one below the other; a click copies it, as "file:line:column: what".
+void draw_mistake(Ui& ui, const Diagnostic& wrong, std::size_t number) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, pad = ui.px(4);
+  const std::string place = place_of(wrong);
+  const std::string text = (wrong.path.empty() ? "" : printable(wrong.path) + ": ") + printable(wrong.message);
+  const float place_height = place.empty() ? 0 : ui.mono()->FontSize + ui.px(2);
+  const float text_width = width - 2 * pad;
+  const float height = place_height + ImGui::CalcTextSize(text.c_str(), nullptr, false, text_width).y + 2 * pad;
+  ImGui::PushID(static_cast<int>(number));
+  if (ImGui::InvisibleButton("mistake", {width, height})) copy(ui, {wrong});
+  ImGui::PopID();
+  ui.thing("problems row " + std::to_string(number + 1));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (ImGui::IsItemHovered() || (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible)) {
+    list.AddRectFilled(at, {at.x + width, at.y + height}, ui.color(Role::rule_line, 0.5), ui.px(4));
+    ImGui::SetTooltip("Click to copy");
   }
+  ImGui::PushFont(ui.mono());
+  if (!place.empty())
+    list.AddText({at.x + pad, at.y + pad}, ui.ink(Role::text_quiet), shortened(place, text_width).c_str());
+  ImGui::PopFont();
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + pad, at.y + pad + place_height}, ui.ink(Role::text),
+               text.c_str(), nullptr, text_width);
+}
+
+void draw_list(Ui& ui, const Diagnostics& list) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(2)});
+  for (std::size_t i = 0; i < list.size(); ++i) draw_mistake(ui, list[i], i);
+  ImGui::PopStyleVar();
 }
 
 void draw(Ui& ui) {
@@ -73,7 +95,8 @@ void draw(Ui& ui) {
   if (shown) {
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     ui.thing("panel problems", low, {low.x + size.x, low.y + size.y});
-    const float button = ImGui::CalcTextSize("Dismiss").x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float padding = 2 * ImGui::GetStyle().FramePadding.x, gap = ImGui::GetStyle().ItemSpacing.x;
+    const float button = ImGui::CalcTextSize("Dismiss").x + padding + gap + ImGui::CalcTextSize("Copy all").x + padding;
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     sign(ui);
     ImGui::SameLine();
@@ -87,6 +110,8 @@ void draw(Ui& ui) {
     ImGui::PopFont();
     const float next = ImGui::GetCursorPosY();
     ImGui::SetCursorPos({right - button, ImGui::GetCursorStartPos().y});
+    if (ui.button("Copy all", "problems copy", true, "All of them, a line for each")) copy(ui, problems.list);
+    ImGui::SameLine();
     if (ui.button("Dismiss", "problems dismiss", true, "Escape"))
       ui.send([](Player& player) { player.dismiss_problems(); });
     ImGui::SetCursorPosY(std::max(next, ImGui::GetCursorPosY()));

@@ -28,7 +28,12 @@ void draw(Ui& ui) {
         }
       }
   }
-  ui.sheet("code", std::move(sheet), width, height);
+  const bool asks = ui.player().checkpoint_asks(Checkpoint::Kind::line);
+  const Spot* found = ui.sheet("code", std::move(sheet), width, height, {.clickable = !asks});
+  if (!asks || found == nullptr || found->link.kind != Link::Kind::line) return;
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (ImGui::IsMouseReleased(0))
+    ui.send([line = static_cast<int>(found->link.id)](Player& p) { p.submit_checkpoint_line(line); });
 }
 
 double wanted(const Ui& ui, double width) {

@@ -4,6 +4,8 @@
 #include <imgui_stdlib.h>
 
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "player/ui/dialog.hpp"
 #include "player/ui/panel.hpp"
@@ -15,6 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double widest = 1180, card_width = 250, gap = 14, pad = 10, thumbnail_height = 124;  // units
+constexpr double chips_height = 30;
 constexpr std::size_t most_titles = 2, most_summary = 3, most_recent_shown = 4;
 
 using Item = std::shared_ptr<const ShelfItem>;
@@ -89,10 +92,16 @@ float draw_lines(ImFont* font, ImU32 color, ImVec2 at, float width, std::size_t 
 std::string what_was_done(const ShelfItem& item, const Progress* progress) {
   if (progress == nullptr) return item.minutes > 0 ? std::to_string(item.minutes) + " min" : "";
   std::string text;
-  if (progress->last > 0 && progress->furthest >= progress->last)
+  if (progress->share() >= 1)
     text = "\u2713 seen to the end";
+  else if (progress->scene_count > 0)
+    text = std::to_string(std::lround(100 * progress->share())) + " % of " + std::to_string(progress->scene_count) +
+           " scenes";
   else if (progress->furthest > 0)
     text = "step " + std::to_string(progress->furthest) + " of " + std::to_string(progress->last);
+  if (progress->asked > 0 && !progress->answers.empty())
+    text += (text.empty() ? "" : ", ") + std::to_string(progress->right) + " of " + std::to_string(progress->asked) +
+            " right";
   if (progress->best_score >= 0)
     text += (text.empty() ? "best " : ", best ") + std::to_string(std::lround(100 * progress->best_score)) + " %";
   return text;
@@ -106,7 +115,7 @@ void draw_foot(Ui& ui, const ShelfItem& item, ImVec2 low, ImVec2 high) {
   ImGui::PopFont();
   if (progress == nullptr || progress->last == 0) return;
   const float y = high.y - ui.px(4);
-  const auto share = static_cast<float>(std::min(1.0, static_cast<double>(progress->furthest) / progress->last));
+  const auto share = static_cast<float>(progress->share());
   list.AddRectFilled({low.x, y}, high, ui.color(Role::rule_line), ui.px(2));
   list.AddRectFilled({low.x, y}, {low.x + share * (high.x - low.x), high.y}, ui.color(Role::current), ui.px(2));
 }
@@ -153,6 +162,48 @@ void draw_card(Ui& ui, const ShelfItem& item, ImVec2 at, ImVec2 size) {
   list.AddRect(at, high, ui.color(edge), ui.px(8), 0, ui.px(focused ? 2.5 : (hovered ? 1.5 : 1)));
 }
 
+// ---- exercises of a lesson ------------------------------------------------------------------------------------------
+
+using ById = std::map<std::string, Item>;
+
+std::string chip_label(const Ui& ui, const ShelfItem& exercise, std::size_t number) {
+  const Progress* progress = ui.player().progress(exercise.file);
+  std::string label = std::to_string(number);
+  if (progress != nullptr && progress->best_score >= 0)
+    label +=
+        progress->best_score >= 1 ? " \u2713" : ": " + std::to_string(std::lround(100 * progress->best_score)) + " %";
+  return label;
+}
+
+// Below the lesson's card, by numbers; their titles are what one sees when pointing at them.
+void draw_chips(Ui& ui, const ShelfItem& lesson, const ById& exercises, ImVec2 at, float width) {
+  std::vector<Item> own;
+  for (const std::string& id : lesson.exercises)
+    if (const auto found = exercises.find(id); found != exercises.end()) own.push_back(found->second);
+  if (own.empty() || !ImGui::IsRectVisible(at, {at.x + width, at.y + ui.px(chips_height)})) return;
+  ImGui::PushFont(ui.small());
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(7), ui.px(2)});
+  const float height = ImGui::GetFrameHeight(), y = at.y + ui.px(5);
+  const char* what = own.size() == 1 ? "Exercise" : "Exercises";
+  ImGui::GetWindowDrawList()->AddText({at.x + ui.px(4), y + ui.px(2)}, ui.ink(Role::text_quiet), what);
+  float x = at.x + ui.px(4) + ImGui::CalcTextSize(what).x + ui.px(8);
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const std::string label = chip_label(ui, *own[i], i + 1);
+    const float wide = ImGui::CalcTextSize(label.c_str()).x + 2 * ui.px(7);
+    if (x + wide > at.x + width) break;
+    ImGui::SetCursorScreenPos({x, y});
+    ImGui::PushID(own[i].get());
+    if (ImGui::Button(label.c_str(), {wide, height}))
+      ui.send([file = own[i]->file](Player& player) { player.open(file); });
+    ImGui::PopID();
+    ui.thing(card_name(*own[i]));
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", own[i]->title.c_str());
+    x += wide + ui.px(4);
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+}
+
 // ---- cards in rows --------------------------------------------------------------------------------------------------
 
 // By unit, in the order in which the units come first.
@@ -168,11 +219,12 @@ std::vector<Item> by_unit(const std::vector<Item>& items) {
 }
 
 // Units share rows: each stands above its first card of a row, with a line over all of them.
-void draw_cards(Ui& ui, const std::vector<Item>& items) {
+void draw_cards(Ui& ui, const std::vector<Item>& items, const ById& exercises, std::string* unit_wanted = nullptr) {
   const float room = ImGui::GetContentRegionAvail().x, between = ui.px(gap);
   const int columns = std::clamp(static_cast<int>((room + between) / (ui.px(card_width) + between)), 1, 4);
   const float width = std::floor((room - static_cast<float>(columns - 1) * between) / static_cast<float>(columns));
-  const float height = card_height(ui), heading = line_height(ui.bold()) + ui.px(8);
+  const float card = card_height(ui), heading = line_height(ui.bold()) + ui.px(8);
+  const float height = card + (exercises.empty() ? 0 : ui.px(chips_height));
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const auto count = static_cast<int>(items.size());
   const auto unit_at = [&](int i) -> const std::string& { return items[static_cast<std::size_t>(i)]->unit; };
@@ -181,6 +233,10 @@ void draw_cards(Ui& ui, const std::vector<Item>& items) {
     const ImVec2 at{origin.x + static_cast<float>(column) * (width + between),
                     origin.y + static_cast<float>(row) * (height + heading + between)};
     if (column == 0 || unit_at(i) != unit_at(i - 1)) {
+      if (unit_wanted != nullptr && *unit_wanted == unit_at(i) && (i == 0 || unit_at(i) != unit_at(i - 1))) {
+        ImGui::SetScrollY(at.y - ImGui::GetWindowPos().y + ImGui::GetScrollY() - ui.px(8));
+        unit_wanted->clear();
+      }
       int end = i + 1;
       while (end < count && end % columns != 0 && unit_at(end) == unit_at(i)) ++end;
       const float wide = static_cast<float>(end - i) * (width + between) - between;
@@ -190,23 +246,66 @@ void draw_cards(Ui& ui, const std::vector<Item>& items) {
       ImGui::GetWindowDrawList()->AddLine({at.x, at.y + heading - ui.px(5)}, {at.x + wide, at.y + heading - ui.px(5)},
                                           ui.color(Role::rule_line), ui.px(1));
     }
-    draw_card(ui, *items[static_cast<std::size_t>(i)], {at.x, at.y + heading}, {width, height});
+    const ShelfItem& item = *items[static_cast<std::size_t>(i)];
+    draw_card(ui, item, {at.x, at.y + heading}, {width, card});
+    draw_chips(ui, item, exercises, {at.x, at.y + heading + card}, width);
   }
   const int rows = (count + columns - 1) / columns;
   ImGui::SetCursorScreenPos(origin);
   ImGui::Dummy({room, static_cast<float>(rows) * (height + heading + between)});
 }
 
-void draw_section(Ui& ui, const char* title, const std::vector<Item>& items, Document::Kind kind,
-                  const std::string& search) {
-  std::vector<Item> shown;
+bool is_found(const ShelfItem& item, const std::string& search) {
+  return contains(item.title, search) || contains(item.unit, search) || contains(item.summary, search) ||
+         contains(item.file.stem().string(), search);
+}
+
+// The way to each unit, where there are so many lessons that one would have to look for it.
+void draw_units(Ui& ui, const std::vector<Item>& lessons, std::string& wanted) {
+  constexpr std::size_t few = 12;
+  if (lessons.size() <= few) return;
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  ImGui::PushFont(ui.small());
+  const std::string* before = nullptr;
+  for (const Item& item : lessons) {
+    if (before != nullptr && *before == item->unit) continue;
+    const std::string label = item->unit.empty() ? "Other" : item->unit;
+    const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    if (before != nullptr) ImGui::SameLine(0, ui.px(4));
+    if (before != nullptr && ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
+    before = &item->unit;
+    if (ui.button((label + "##unit").c_str(), "start unit " + label)) wanted = item->unit;
+  }
+  ImGui::PopFont();
+  ImGui::Dummy({0, ui.px(4)});
+}
+
+// Lessons by unit, each with its exercises below it; then those that belong to none, or what is searched for.
+void draw_course(Ui& ui, const std::vector<Item>& items, const std::string& search) {
+  static std::string unit_wanted;
+  std::vector<Item> lessons, alone;
+  ById exercises;
   for (const Item& item : items)
-    if (item->kind == kind && (contains(item->title, search) || contains(item->unit, search) ||
-                               contains(item->summary, search) || contains(item->file.stem().string(), search)))
-      shown.push_back(item);
-  if (shown.empty()) return;
-  large_text(ui, title, 1.35);
-  draw_cards(ui, by_unit(shown));
+    if (item->kind == Document::Kind::exercise) exercises.emplace(item->id, item);
+  std::set<std::string> with_lesson;
+  for (const Item& item : items) {
+    if (item->kind != Document::Kind::lesson) continue;
+    with_lesson.insert(item->exercises.begin(), item->exercises.end());
+    if (is_found(*item, search)) lessons.push_back(item);
+  }
+  for (const Item& item : items)
+    if (item->kind == Document::Kind::exercise && is_found(*item, search) &&
+        (!search.empty() || !with_lesson.contains(item->id)))
+      alone.push_back(item);
+  if (!lessons.empty()) {
+    large_text(ui, "Lessons", 1.35);
+    lessons = by_unit(lessons);
+    draw_units(ui, lessons, unit_wanted);
+    draw_cards(ui, lessons, exercises, &unit_wanted);
+  }
+  if (alone.empty()) return;
+  large_text(ui, search.empty() && !lessons.empty() ? "More exercises" : "Exercises", 1.35);
+  draw_cards(ui, by_unit(alone), {});
 }
 
 // ---- scenes of the studio -------------------------------------------------------------------------------------------
@@ -407,19 +506,13 @@ void draw(Ui& ui) {
   draw_tools(ui, search);
   const std::vector<ShelfScene> scenes = shelf != nullptr ? shelf->scenes() : std::vector<ShelfScene>();
   draw_scenes(ui, scenes, search, true);
-  draw_section(ui, "Lessons", items, Document::Kind::lesson, search);
-  draw_section(ui, "Exercises", items, Document::Kind::exercise, search);
+  draw_course(ui, items, search);
   draw_scenes(ui, scenes, search, false);
   if (shelf == nullptr || !shelf->done()) {
     quiet_text(ui, "Loading ... " + std::to_string(items.size()) + " so far");
   } else if (items.empty()) {
     quiet_text(ui, "No lessons were found here. Open a file, or drop one onto this window.");
-  } else if (std::ranges::none_of(items,
-                                  [](const Item& item) {
-                                    return contains(item->title, search) || contains(item->unit, search) ||
-                                           contains(item->summary, search) ||
-                                           contains(item->file.stem().string(), search);
-                                  }) &&
+  } else if (std::ranges::none_of(items, [](const Item& item) { return is_found(*item, search); }) &&
              std::ranges::none_of(scenes, [](const ShelfScene& scene) { return is_found(scene, search); })) {
     quiet_text(ui, "Nothing is called so.");
   }

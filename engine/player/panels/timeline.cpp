@@ -76,8 +76,18 @@ void draw_track(Ui& ui, const Session& session, const Track& track) {
   if (track.last > 0 && (track.right - track.left) / static_cast<float>(track.last) > ui.px(7))
     for (std::uint32_t k = 0; k <= track.last; ++k)
       list.AddLine({track.place(k), y - ui.px(4)}, {track.place(k), y + ui.px(4)}, ui.color(Role::polygon, 0.55), 1);
-  for (const Beat& beat : session.beats())
-    diamond(list, {track.place(beat.step), y}, ui.px(4.5), ui.color(Role::polygon), true);
+  for (const Beat& beat : session.beats()) {
+    const ImVec2 at{track.place(beat.step), y};
+    if (!beat.checkpoint) {
+      diamond(list, at, ui.px(4.5), ui.color(Role::polygon), true);
+      continue;
+    }
+    // A question: larger, open until it is answered.
+    const auto item = ui.player().checkpoints().find(beat.checkpoint->id);
+    const bool open = item && ui.player().checkpoints().item(*item).first == std::nullopt;
+    diamond(list, at, ui.px(7), ImGui::ColorConvertFloat4ToU32(ImGui::GetStyleColorVec4(ImGuiCol_WindowBg)), true);
+    diamond(list, at, ui.px(6.5), ui.color(Role::result), !open);
+  }
   for (const std::uint32_t step : session.bookmarks()) {
     const float x = track.place(step);
     list.AddLine({x, y - ui.px(13)}, {x, y}, ui.color(Role::result), ui.px(1.6));
@@ -99,6 +109,8 @@ std::string describe(const Session& session, std::uint32_t step) {
   const auto& marks = session.beats();
   if (std::any_of(marks.begin(), marks.end(), [&](const Beat& b) { return b.step == step; }))
     text += "\na beat of the lesson";
+  if (std::any_of(marks.begin(), marks.end(), [&](const Beat& b) { return b.step == step && b.checkpoint; }))
+    text += ", which asks something";
   return text;
 }
 
@@ -123,7 +135,7 @@ void scrubber(Ui& ui, const Session& session) {
         p.session()->move([=](Timeline& t) { return t.set_loop(std::min(from, step), std::max(from, step)), false; });
       });
     } else {
-      ui.send([step](Player& p) { p.move([=](Timeline& t) { return t.pause(), t.seek(step); }); });
+      ui.send([step](Player& p) { p.scrub(step); });
     }
   } else if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("%s", describe(session, track.step(mouse)).c_str());
@@ -158,6 +170,12 @@ void buttons(Ui& ui, const Session& session) {
   ui.thing("timeline position");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("the step one is at, of all\nG goes to a step or a value");
 
+  if (ui.player().waits_here()) {
+    ImGui::SameLine(0, ui.px(14));
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ui.ink(Role::text_current)), "\u25B6 Space goes on");
+    ui.thing("timeline waits");
+  }
   if (in_one_row(ui)) {
     ImGui::SameLine(0, ui.px(8));
     scrubber(ui, session);

@@ -28,21 +28,38 @@ void add_guess(View& view, const glm::dvec3& at, Role role, RichText words) {
   view.labels.push_back(std::move(label));
 }
 
+// What is typed or clicked as the answer to a lesson's question.
+void add_reply(View& view, const Player& player) {
+  if (!player.checkpoint_asks_place()) return;
+  const auto& reply = player.checkpoints().reply();
+  if (reply.numbers.size() < reply.size || reply.size > 3) return;
+  glm::dvec3 place{0, 0, 0};
+  for (std::size_t i = 0; i < reply.size; ++i) {
+    const auto number = typed_number(reply.numbers[i]);
+    if (!number || !std::isfinite(number->to_double())) return;
+    place[static_cast<int>(i)] = number->to_double();
+  }
+  const StepSource& source = player.session()->recording().source();
+  const std::string& name = player.checkpoints().item(*player.checkpoint()).checkpoint.value;
+  add_guess(view, place, Role::highlight, typeset_text(name + " ?", source.algorithm_at(player.session()->step())));
+}
+
 void add_guesses(View& view, const Player& player) {
   const Session& session = *player.session();
+  add_reply(view, player);
   const Prediction* prediction = session.prediction();
   if (prediction == nullptr) return;
   if (player.asks_place()) {
     const auto question = player.asked();
     if (const auto at = player.said_place(*question)) {
-      const Question& asks = prediction->questions()[*question];
+      const AskedValue& asks = prediction->questions()[*question];
       const Algorithm& algorithm = session.recording().source().algorithm_at(asks.step);
       add_guess(view, *at, Role::highlight, typeset_text(asks.name + " ?", algorithm));
     }
   }
   if (prediction->veiled(session.step())) return;
   for (std::size_t q = 0; q < prediction->questions().size(); ++q) {
-    const Question& question = prediction->questions()[q];
+    const AskedValue& question = prediction->questions()[q];
     if (question.step != session.step()) continue;
     const auto at = player.said_place(q);
     const auto mark = prediction->mark(q);
@@ -64,11 +81,23 @@ void add_guesses(View& view, const Player& player) {
 std::optional<glm::dvec3> clicked_place(const Player& player, ViewSize size, glm::dvec2 at) {
   const Session& session = *player.session();
   const StepSource& source = session.recording().source();
-  const Question& question = session.prediction()->questions()[*player.asked()];
+  const AskedValue& question = session.prediction()->questions()[*player.asked()];
   glm::dvec3 sum{0, 0, 0};
   double count = 0;
   for (const ValueId v : source.graph->operands(question.value))
     if (source.points[v]) sum += *source.points[v], count += 1;
+  return to_world(player.shown_camera(), size, at, count > 0 ? sum / count : player.shown_camera().centre);
+}
+
+// Likewise for what a lesson asks.
+std::optional<glm::dvec3> asked_place(const Player& player, ViewSize size, glm::dvec2 at) {
+  const StepSource& source = player.session()->recording().source();
+  const auto value = source.graph->find(player.checkpoints().item(*player.checkpoint()).checkpoint.value);
+  glm::dvec3 sum{0, 0, 0};
+  double count = 0;
+  if (value)
+    for (const ValueId v : source.graph->operands(*value))
+      if (source.points[v]) sum += *source.points[v], count += 1;
   return to_world(player.shown_camera(), size, at, count > 0 ? sum / count : player.shown_camera().centre);
 }
 
@@ -132,7 +161,14 @@ void handle_mouse(Ui& ui, const Mouse& mouse, const std::vector<Spot>& spots) {
   }
   if (spot != nullptr && address_of(session.recording().graph(), session.inputs(), spot->link.id))
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  if (player.asks_place()) {
+  if (player.checkpoint_asks_place()) {
+    if (ImGui::IsMouseReleased(0) && !mouse.dragged(0) && mouse.inside(mouse.pressed(0))) {
+      const auto& points = session.recording().source().points;
+      const auto place = spot != nullptr && points[spot->link.id] ? points[spot->link.id]
+                                                                  : asked_place(player, mouse.size, mouse.now());
+      if (place) ui.send([place](Player& p) { p.checkpoint_click(*place); });
+    }
+  } else if (player.asks_place()) {
     if (ImGui::IsMouseReleased(0) && !mouse.dragged(0) && mouse.inside(mouse.pressed(0))) {
       // On a point one means that point.
       const auto& points = session.recording().source().points;
@@ -278,7 +314,7 @@ void draw(Ui& ui) {
 
   const ImVec2 low{origin.x + ui.px(margin), origin.y + ui.px(margin)};
   const ImVec2 high{origin.x + room.x - ui.px(margin), origin.y + room.y - ui.px(margin)};
-  const bool asks = player.asks_place();
+  const bool asks = player.asks_place() || player.checkpoint_asks_place();
   const Spot* found = ui.sheet("viewport", std::move(sheet), size.width, size.height, {.clickable = !asks});
   if (asks && found != nullptr && ImGui::IsMouseClicked(1)) ui.open_menu(found->link);
 
@@ -289,7 +325,9 @@ void draw(Ui& ui) {
   handle_mouse(ui, mouse, spots);
   draw_held(ui, mouse, low, high);
   if (asks && player.held() == nullptr) {
-    const std::string name = session.prediction()->questions()[*player.asked()].name;
+    const std::string name = player.asks_place()
+                                 ? session.prediction()->questions()[*player.asked()].name
+                                 : player.checkpoints().item(*player.checkpoint()).checkpoint.value;
     const ImVec2 corner{origin.x + ui.px(2), origin.y + room.y - ui.px(2)};
     draw_tag(ui, *ImGui::GetWindowDrawList(), corner, "Where will " + name + " be? Click there.", Role::text,
              {corner.x, low.y}, {high.x, corner.y});

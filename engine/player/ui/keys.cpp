@@ -51,7 +51,7 @@ std::string key_text(const Event& event) {
 
 // Panels with text fields: in them Tab walks from field to field.
 bool has_fields(std::string_view panel) {
-  return panel == "inputs" || panel == "predict" || panel == "make" || panel == "shape" || panel == "place";
+  return panel == "inputs" || panel == "predict" || panel == "checkpoint" || panel == "make" || panel == "shape" || panel == "place";
 }
 
 bool is_arrow(std::string_view key) { return key == "Left" || key == "Right" || key == "Up" || key == "Down"; }
@@ -224,6 +224,7 @@ bool Ui::shortcut(const std::string& key) {
     ring_ = false;
     send([](Player& player) {
       if (player.put_back()) return;  // what the mouse holds
+      if (player.asks_to_skip()) return player.stay_at_checkpoint();
       if (player.in_studio() && player.studio()->escape()) return;
       const bool let_go = player.pinned() || player.focused || !player.problems().list.empty();
       if (player.stepping_from_studio() && !let_go) return player.back_to_studio();
@@ -239,6 +240,12 @@ bool Ui::shortcut(const std::string& key) {
        key == "Ctrl+V" || key == "Ctrl+X" || key == "Ctrl+Left" || key == "Ctrl+Right" || key == "Ctrl+Backspace" ||
        key == "Ctrl+Delete"))
     return false;
+  // What a lesson asks is answered by keys wherever the keyboard is; walking among widgets Enter is theirs.
+  if (!dialog && !(key == "Enter" && io.NavVisible && io.NavActive && !keyboard_panel().empty()) &&
+      player_->wants_checkpoint_key(key)) {
+    send([key](Player& player) { player.checkpoint_key(key); });
+    return true;
+  }
   if (dialog && (plain || key.starts_with("Shift+") || key == "Ctrl+Tab" || key == "Ctrl+Shift+Tab")) return false;
   if ((key.size() == 1 || key == "Space" || (key.size() == 7 && key.starts_with("Shift+"))) && belongs_to_field())
     return false;

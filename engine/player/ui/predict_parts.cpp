@@ -119,7 +119,7 @@ void draw_marks(Ui& ui, const Prediction& prediction, std::optional<std::size_t>
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(2), ui.px(2)});
   for (std::size_t q = 0; q < prediction.questions().size(); ++q) {
-    const Question& question = prediction.questions()[q];
+    const AskedValue& question = prediction.questions()[q];
     if (q > 0) {
       ImGui::SameLine();
       if (ImGui::GetCursorScreenPos().x + side > right) ImGui::NewLine();
@@ -150,7 +150,7 @@ void draw_marks(Ui& ui, const Prediction& prediction, std::optional<std::size_t>
 
 // What an answer was worth; of one that was shown, why it is right; of one that is marked later, that it was taken.
 void draw_feedback(Ui& ui, const Prediction& prediction, std::size_t q) {
-  const Question& question = prediction.questions()[q];
+  const AskedValue& question = prediction.questions()[q];
   const auto mark = prediction.mark(q);
   const auto& attempt = prediction.attempt(q);
   if (!mark && !attempt) return;

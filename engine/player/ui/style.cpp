@@ -35,10 +35,10 @@ constexpr ImWchar fewer_ranges[] = {0x20,   0x17F,  0x391,  0x3C9,  0x2010, 0x20
 }  // namespace
 
 ImU32 Ui::color(Role role, double opacity) const {
-  return ImGui::ColorConvertFloat4ToU32(to_imgui((*theme_)[role].color, opacity));
+  return ImGui::ColorConvertFloat4ToU32(to_imgui(theme_[role].color, opacity));
 }
 ImU32 Ui::ink(Role role, double opacity) const {
-  return ImGui::ColorConvertFloat4ToU32(to_imgui((*theme_)[role].ink, opacity));
+  return ImGui::ColorConvertFloat4ToU32(to_imgui(theme_[role].ink, opacity));
 }
 
 void Ui::make_fonts() {
@@ -65,8 +65,8 @@ void Ui::make_fonts() {
 }
 
 void Ui::make_style() {
-  const auto role = [&](Role r) { return (*theme_)[r]; };
-  const Color background = theme_->background, text = role(Role::text).ink, panel = role(Role::panel).color;
+  const auto role = [&](Role r) { return theme_[r]; };
+  const Color background = theme_.background, text = role(Role::text).ink, panel = role(Role::panel).color;
   const Color accent = role(Role::current).color, line = role(Role::rule_line).color;
   ImGuiStyle style;
   style.WindowPadding = {10, 8};
@@ -83,7 +83,7 @@ void Ui::make_style() {
   style.GrabRounding = 4;
   style.TabRounding = 4;
   style.WindowBorderSize = 1;
-  style.FrameBorderSize = theme_->name == "contrast" ? 1.0f : 0.0f;
+  style.FrameBorderSize = theme_.name == "contrast" ? 1.0f : 0.0f;
   style.AntiAliasedLinesUseTex = false;
   style.ScaleAllSizes(static_cast<float>(scale_));
   style.WindowBorderSize = style.PopupBorderSize = std::max(1.0f, std::round(px(1)));

@@ -69,10 +69,15 @@ void Ui::frame(double seconds, bool drawn) {
   ImGui::SetCurrentContext(context_);
   const auto theme = find_theme(player_->settings.theme);
   const Theme* wanted = theme ? *theme : &light_theme();
+  const auto* session = std::as_const(*player_).session();
+  const LessonColors colors = session != nullptr && session->document().lesson ? session->document().lesson->colors
+                                                                               : LessonColors();
   const double scale = pixels_per_unit_ * player_->settings.text_scale;
-  if (fonts_scale_ != scale || theme_ != wanted) {
+  if (fonts_scale_ != scale || plain_theme_ != wanted || colors_ != colors) {
     scale_ = scale;
-    theme_ = wanted;
+    plain_theme_ = wanted;
+    colors_ = colors;
+    theme_ = with_colors(*wanted, colors);
     if (fonts_scale_ != scale) make_fonts();
     make_style();
   }
@@ -122,7 +127,7 @@ void Ui::paint() {
   Frame frame;
   frame.width = width_;
   frame.height = height_;
-  frame.background = (*theme_)[Role::panel].color;
+  frame.background = theme_[Role::panel].color;
   frame.title = "Blossom";
   canvas_->begin(frame);
   std::vector<ImageVertex> vertices;
@@ -145,7 +150,7 @@ void Ui::paint() {
         const auto number = reinterpret_cast<std::uintptr_t>(command.UserCallbackData);
         if (number >= pictures_.size()) continue;
         const Placement& picture = pictures_[number];
-        paint_view(picture.view, *theme_, *fonts_, *canvas_, scale_ * picture.zoom, picture.origin, clip);
+        paint_view(picture.view, theme_, *fonts_, *canvas_, scale_ * picture.zoom, picture.origin, clip);
         continue;
       }
       // The vertices of a list are few enough for 16-bit indices from its first one on.
@@ -161,14 +166,14 @@ void Ui::paint() {
 
 Checked<bool> Ui::save_picture(const Scene& scene, const std::filesystem::path& file) {
   if (file.extension() == ".svg") {
-    const auto text = draw_svg(scene, *theme_);
+    const auto text = draw_svg(scene, theme_);
     return text ? write_file(file, *text) : Checked<bool>(text.diagnostics);
   }
   if (file.extension() != ".png")
     return Diagnostics{{file.string(), 0, 0, "", "a picture's name must end in .png or .svg"}};
   const double scale = 2;  // sharp on paper and on dense screens
-  if (const auto frame = frame_of(scene, *theme_, scale, canvas_->max_size()); !frame) return frame.diagnostics;
-  blossom::paint(scene, *theme_, *fonts_, *canvas_, scale);
+  if (const auto frame = frame_of(scene, theme_, scale, canvas_->max_size()); !frame) return frame.diagnostics;
+  blossom::paint(scene, theme_, *fonts_, *canvas_, scale);
   const auto image = canvas_->read();
   picture_saved_ = true;
   return image ? write_png(file, *image, scene.title, scene.description) : Checked<bool>(image.diagnostics);

@@ -10,13 +10,14 @@
 #include <map>
 #include <memory>
 
+#include "lesson/prose.hpp"
 #include "player/player.hpp"
 #include "player/ui/event.hpp"
 #include "player/ui/frame_parts.hpp"
 #include "player/ui/layout.hpp"
 #include "render/font.hpp"
 #include "render/gl_canvas.hpp"
-#include "render/theme.hpp"
+#include "render/lesson_theme.hpp"
 #include "scene/panels.hpp"
 
 namespace blossom {
@@ -58,7 +59,7 @@ class Ui {
   // Done after all panels are drawn.
   void send(std::function<void(Player&)> what) { sent_.push_back(std::move(what)); }
   void act(std::string_view action);  // sends the action of this id
-  const Theme& theme() const { return *theme_; }
+  const Theme& theme() const { return theme_; }
   const Fonts& fonts() const { return *fonts_; }
   float px(double units) const { return static_cast<float>(units * scale_); }
   double units(float pixels) const { return pixels / scale_; }
@@ -94,6 +95,10 @@ class Ui {
   // units is stored at `height`.
   Sheet flow(const std::string& text, double width, double size, Role role, double& height, bool values = true,
              std::optional<ValueId> about = {}) const;
+  // The same of what a lesson says, with its bold words, lists and formulas (see read_prose).
+  Sheet flow(const Prose&, double width, double size, Role role, double& height, bool values = true,
+             std::optional<ValueId> about = {}) const;
+  Sheet flow(const RichText&, double width, double size, Role role, double& height) const;  // as it is set already
   // Asked by a panel before each of its text fields: whether this one is to have the keyboard. Once for a request.
   bool gives_keyboard_to_field_of(std::string_view panel);
   // Whether the step is another one than when this panel asked last: then it scrolls along.
@@ -134,7 +139,9 @@ class Ui {
   std::unique_ptr<GlCanvas> canvas_;
   std::shared_ptr<const Fonts> fonts_;
   ImGuiContext* context_ = nullptr;
-  const Theme* theme_ = nullptr;
+  Theme theme_;  // with the colours of the lesson that is open
+  const Theme* plain_theme_ = nullptr;
+  LessonColors colors_;
   ImFont *regular_ = nullptr, *bold_ = nullptr, *mono_ = nullptr, *small_ = nullptr;
   double fonts_scale_ = 0;
   int width_ = 1280, height_ = 720;

@@ -66,6 +66,7 @@ class Driver {
   void finish_motion() {
     if (player_.session() != nullptr && player_.session()->timeline().playing()) return;
     if (player_.in_studio() && player_.studio()->running()) return;
+    player_.wait_for_export();
     for (int i = 0; i < 20 && player_.animating(); ++i) frame(0.1);
     if (player_.shelf() != nullptr && player_.session() == nullptr && !player_.shelf()->done()) {
       const_cast<Shelf*>(player_.shelf())->wait();

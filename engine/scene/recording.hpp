@@ -25,8 +25,9 @@ class Recording {
   // What a template says at a step; empty optional if something in it names nothing there.
   virtual std::optional<std::string> fill(std::string_view text, std::uint32_t step) const = 0;
   virtual std::size_t memory_bytes() const = 0;
+  virtual std::string trace_json() const = 0;  // algorithms/trace_json.hpp
   // The beats of a lesson in this run, whose inputs may be others than the lesson's.
-  virtual std::vector<Beat> beats(const Lesson&) const = 0;
+  virtual std::vector<Beat> beats(const LessonScene&) const = 0;
 
  protected:
   std::unique_ptr<StepSource> source_;

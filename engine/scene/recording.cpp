@@ -1,4 +1,6 @@
-#include "player/recording.hpp"
+#include "scene/recording.hpp"
+
+#include "algorithms/trace_json.hpp"
 
 namespace blossom {
 namespace {
@@ -19,7 +21,8 @@ class RecordingOf final : public Recording {
     return unknown.empty() ? std::optional(std::move(filled)) : std::nullopt;
   }
   std::size_t memory_bytes() const override { return run_.trace.memory_bytes(); }
-  std::vector<Beat> beats(const Lesson& lesson) const override { return resolve_beats(lesson, run_.trace); }
+  std::string trace_json() const override { return write_trace(Narrator<S>(run_)); }
+  std::vector<Beat> beats(const LessonScene& scene) const override { return resolve_beats(scene, run_.trace); }
 
  private:
   Run<S> run_;

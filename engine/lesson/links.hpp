@@ -1,0 +1,54 @@
+#pragma once
+// What lessons say of other files: the lessons to be seen before, and the exercises that go with them.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/json.hpp"
+
+namespace blossom {
+
+// Which lessons and exercises there are, by their ids, in the folders that somebody asked for.
+class CourseIndex {
+ public:
+  // A document that was read already: its folder will not be asked for it again.
+  void add(const std::filesystem::path& file, const JsonDocument&);
+  // All lessons and exercises of a folder. One that is not there, and files that cannot be read, have none.
+  void add_folder(const std::filesystem::path& folder);
+
+  bool has_lesson(const std::filesystem::path& folder, const std::string& id) const;
+  bool has_exercise(const std::filesystem::path& folder, const std::string& id) const;
+  // The file of a lesson or an exercise in a folder; empty if there is none.
+  std::filesystem::path lesson_file(const std::filesystem::path& folder, const std::string& id) const;
+  std::filesystem::path exercise_file(const std::filesystem::path& folder, const std::string& id) const;
+  std::vector<std::string> lessons(const std::filesystem::path& folder) const;
+  std::vector<std::string> exercises(const std::filesystem::path& folder) const;
+  // From a lesson's prerequisite back to the lesson: the ids on the way, both among them; empty: no such way.
+  std::vector<std::string> way_back(const std::filesystem::path& folder, const std::string& lesson,
+                                    const std::string& prerequisite) const;
+
+ private:
+  struct Entry {
+    std::filesystem::path file;
+    std::vector<std::string> prerequisites;
+  };
+  struct Folder {
+    std::map<std::string, Entry, std::less<>> lessons, exercises;
+    std::map<std::filesystem::path, bool> files;  // that are known
+    bool whole = false;
+  };
+  const Folder* find(const std::filesystem::path& folder) const;
+
+  std::map<std::filesystem::path, Folder> folders_;
+};
+
+// The folders in which the files stand that a lesson names: its own for lessons; that and ../exercises for exercises.
+std::vector<std::filesystem::path> folders_of_exercises(const std::filesystem::path& lesson);
+
+// Prerequisites and exercises of a lesson that no file has, and prerequisites in a circle. The folders of the file are
+// in the index.
+Diagnostics check_links(const JsonDocument& lesson, const CourseIndex&);
+
+}  // namespace blossom
