@@ -164,7 +164,8 @@ Answers match_answers(const Exercise& exercise, const Json& root) {
     if (++ignored <= most_notes) answers.notes.push_back(note());
   };
   for (const std::string& key : root.keys)
-    if (key != "schema" && key != "exercise" && key != "answers" && key != "student" && key != "$schema" && key != "$comment")
+    if (key != "schema" && key != "exercise" && key != "answers" && key != "student" && key != "$schema" &&
+        key != "$comment")
       ignore([&] { return "unknown key " + excerpt(key) + " was ignored"; });
   for (std::size_t i = 0; i < given->keys.size(); ++i) {
     if (const auto part = exercise.part(given->keys[i]))

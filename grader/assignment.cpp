@@ -154,7 +154,8 @@ class AssignmentReader {
       return;
     }
     if (const auto other = assignment.item(exercise->id)) {
-      place.error("the exercise " + excerpt(exercise->id) + " is exercises[" + std::to_string(*other) + "] already");
+      place.error("the exercise " + excerpt(exercise->id) + " is exercises[" + std::to_string(*other) +
+                  "] already: answers name it by that id");
       return;
     }
     // Of an exercise whose parts are all dropped nothing is left to be earned.
@@ -172,8 +173,8 @@ class AssignmentReader {
       const FileKind kind = file_kind(document->root());
       if (kind == FileKind::exercise || kind == FileKind::lesson || kind == FileKind::unknown)
         return std::move(document.value);
-      at.error("must be the path of an exercise, or of a lesson for its checkpoints; " + excerpt(*name) + " is of the kind " +
-               std::string(file_kind_name(kind)));
+      at.error("must be the path of an exercise, or of a lesson for its checkpoints; " + excerpt(*name) +
+               " is of the kind " + std::string(file_kind_name(kind)));
       return std::nullopt;
     }
     for (Diagnostic& diagnostic : document.diagnostics) {
@@ -252,7 +253,8 @@ Checked<Assignment> read_assignment(const JsonDocument& document, std::string_vi
     if (!diagnostics.empty()) return diagnostics;
     return std::move(reader.assignment);
   }
-  if (const FileKind kind = file_kind(document.root()); kind != FileKind::exercise && kind != FileKind::lesson && kind != FileKind::unknown) {
+  if (const FileKind kind = file_kind(document.root());
+      kind != FileKind::exercise && kind != FileKind::lesson && kind != FileKind::unknown) {
     Cursor(document, diagnostics)
         .error("is " + with_article(kind) +
                ", where an exercise, an assignment or a lesson is wanted (schema blossom.exercise/1, "

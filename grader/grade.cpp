@@ -466,7 +466,8 @@ std::string Grader::feedback(const Part& part, Verdict verdict, std::string_view
   }
   if (exercise_.feedback == Feedback::full) return text + " Right is " + part.solution + ".";
   // The rule is a help where it is not known yet; not to who already used it.
-  if (!part.formula.empty() && (verdict == Verdict::wrong || verdict == Verdict::missing)) text += " The rule is " + part.formula + ".";
+  if (!part.formula.empty() && (verdict == Verdict::wrong || verdict == Verdict::missing))
+    text += " The rule is " + part.formula + ".";
   return text;
 }
 

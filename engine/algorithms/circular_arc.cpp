@@ -55,7 +55,9 @@ std::vector<Numbers<Exact>> corner_on_circle(const Site& site) {
 // The cosine of the whole angle of a piece for that of its half.
 std::vector<Numbers<Exact>> whole_angle(const Site& site) {
   if (!(site.name() == "w"_v())) return {};
-  return {{Cosine::apply<Exact>(Exact(2) * site.operand(0)[0])}};
+  const Exact angle = Exact(2) * site.operand(0)[0];
+  if (!Cosine::defined(angle)) return {};
+  return {{Cosine::apply(angle)}};
 }
 
 // The angles of a piece's ends given to the corners, too: steps of 2 h.

@@ -217,9 +217,8 @@ void check_shadowed(const std::vector<std::pair<Cursor, std::size_t>>& every, co
 void check_template(const Cursor& at, const LocalText& text, const Languages& languages,
                     const Narrator<Exact>* narrator, std::optional<std::uint32_t> step) {
   for (const auto& [language, words] : text.texts()) {
-    const auto in_language = at.is(Json::Kind::object)
-                                 ? at.optional(language.empty() ? languages.own : language)
-                                 : std::optional<Cursor>(at);
+    const auto in_language = at.is(Json::Kind::object) ? at.optional(language.empty() ? languages.own : language)
+                                                       : std::optional<Cursor>(at);
     const Cursor& here = in_language ? *in_language : at;
     if (const auto open = open_brace(words)) {
       here.error("a { has no } behind it, at " + excerpt(std::string_view(words).substr(*open)));
@@ -241,7 +240,8 @@ void check_template(const Cursor& at, const LocalText& text, const Languages& la
     std::vector<ProseMistake> mistakes;
     read_prose(filled, &mistakes);
     for (const ProseMistake& mistake : mistakes)
-      here.error(mistake.what + ", at " + excerpt(std::string_view(filled).substr(std::min(mistake.at, filled.size()))));
+      here.error(mistake.what + ", at " +
+                 excerpt(std::string_view(filled).substr(std::min(mistake.at, filled.size()))));
   }
 }
 

@@ -104,8 +104,7 @@ class Reader {
       made.choices.push_back(std::move(read));
     }
     const auto right = std::ranges::count_if(made.choices, [](const auto& choice) { return choice.right; });
-    if (right != 1)
-      choices->error("must have exactly one choice with \"right\": true, not " + std::to_string(right));
+    if (right != 1) choices->error("must have exactly one choice with \"right\": true, not " + std::to_string(right));
   }
 
  private:
@@ -129,7 +128,7 @@ std::vector<std::size_t> shown_order(const Checkpoint& checkpoint) {
     std::swap(order[i - 1], order[(hash >> 8) % i]);
     hash = hash * 16777619u + 1;
   }
-  if (order.size() > 1 && std::ranges::is_sorted(order)) std::ranges::rotate(order, order.begin() + 1);
+  if (order.size() > 1 && std::ranges::is_sorted(order)) std::rotate(order.begin(), order.begin() + 1, order.end());
   return order;
 }
 
@@ -156,8 +155,8 @@ std::string right_letters(const Checkpoint& checkpoint) {
   return {};
 }
 
-std::optional<Checkpoint> read_checkpoint(const Cursor& at, const Languages& languages,
-                                          const Narrator<Exact>* narrator, std::optional<std::uint32_t> step) {
+std::optional<Checkpoint> read_checkpoint(const Cursor& at, const Languages& languages, const Narrator<Exact>* narrator,
+                                          std::optional<std::uint32_t> step) {
   if (!at.is(Json::Kind::object)) {
     at.expect_object({"id", "kind", "ask"});
     return std::nullopt;

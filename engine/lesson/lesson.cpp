@@ -24,12 +24,14 @@ std::vector<Beat> resolve_beats(const LessonScene& scene, const TraceGraph& trac
   // Of a scene that was resolved before there is a copy for every step; one of each is enough.
   std::vector<const Beat*> sources;
   for (const Beat& beat : scene.beats) {
-    const bool again = beat.at.kind == Place::Kind::every &&
-                       std::ranges::any_of(sources, [&](const Beat* b) { return b->at == beat.at && b->say == beat.say; });
+    const bool again = beat.at.kind == Place::Kind::every && std::ranges::any_of(sources, [&](const Beat* b) {
+                         return b->at == beat.at && b->say == beat.say;
+                       });
     if (!again) sources.push_back(&beat);
   }
   // Those at one step first: they are kept.
-  std::ranges::stable_partition(sources, [](const Beat* beat) { return beat->at.kind != Place::Kind::every; });
+  std::stable_partition(sources.begin(), sources.end(),
+                        [](const Beat* beat) { return beat->at.kind != Place::Kind::every; });
   for (const Beat* beat : sources)
     for (const std::uint32_t step : steps_of(beat->at, trace)) {
       beats.push_back(*beat);

@@ -123,7 +123,7 @@ std::vector<fs::path> folders_of_exercises(const fs::path& lesson) {
   return {own, (own.empty() ? fs::path(".") : own) / ".." / "exercises"};
 }
 
-Diagnostics check_links(const JsonDocument& document, const CourseIndex& index) {
+Diagnostics check_links(const JsonDocument& document, const CourseIndex& index, const CourseFolders& course) {
   Diagnostics diagnostics;
   const Cursor root(document, diagnostics);
   const fs::path file = document.name();
@@ -139,8 +139,13 @@ Diagnostics check_links(const JsonDocument& document, const CourseIndex& index) 
   };
   each("prerequisites", [&](const Cursor& at, const std::string& id) {
     const fs::path folder = file.parent_path();
-    if (!index.has_lesson(folder, id))
-      return at.error("no lesson of this folder has the id " + excerpt(id) + meant(id, index.lessons(folder)));
+    if (!index.has_lesson(folder, id)) {
+      if (!course.lessons.empty() && index.has_lesson(course.lessons, id)) return;
+      auto known = index.lessons(folder);
+      if (!course.lessons.empty())
+        for (std::string& other : index.lessons(course.lessons)) known.push_back(std::move(other));
+      return at.error("no lesson beside this file or in the course has the id " + excerpt(id) + meant(id, known));
+    }
     if (id == own) return;  // that is told already
     const auto way = index.way_back(folder, own, id);
     if (way.empty()) return;
@@ -150,12 +155,14 @@ Diagnostics check_links(const JsonDocument& document, const CourseIndex& index) 
   });
   each("exercises", [&](const Cursor& at, const std::string& id) {
     std::vector<std::string> known;
-    for (const fs::path& folder : folders_of_exercises(file)) {
+    auto folders = folders_of_exercises(file);
+    if (!course.exercises.empty()) folders.push_back(course.exercises);
+    for (const fs::path& folder : folders) {
       if (index.has_exercise(folder, id)) return;
       const auto here = index.exercises(folder);
       known.insert(known.end(), here.begin(), here.end());
     }
-    at.error("no exercise beside this file or in ../exercises has the id " + excerpt(id) + meant(id, known));
+    at.error("no exercise beside this file, in ../exercises or in the course has the id " + excerpt(id) + meant(id, known));
   });
   return diagnostics;
 }

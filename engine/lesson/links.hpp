@@ -47,8 +47,13 @@ class CourseIndex {
 // The folders in which the files stand that a lesson names: its own for lessons; that and ../exercises for exercises.
 std::vector<std::filesystem::path> folders_of_exercises(const std::filesystem::path& lesson);
 
-// Prerequisites and exercises of a lesson that no file has, and prerequisites in a circle. The folders of the file are
-// in the index.
-Diagnostics check_links(const JsonDocument& lesson, const CourseIndex&);
+// The folders of a course, which lessons elsewhere may refer to.
+struct CourseFolders {
+  std::filesystem::path lessons, exercises;
+};
+
+// Prerequisites and exercises of a lesson that no file has, and prerequisites in a circle. The folders of the file and
+// of the course are in the index.
+Diagnostics check_links(const JsonDocument& lesson, const CourseIndex&, const CourseFolders& course = {});
 
 }  // namespace blossom

@@ -32,6 +32,7 @@ std::vector<std::string> candidates(const InputSpec& spec) {
       return {R"({"degree": 3, "points": [[0, 0], [1, 3], [5, 3], [6, 0]]})",
               R"({"degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 2], "points": [[0, 0], [1, 2], [3, 3], [5, 2], [6, 0]]})",
               R"({"degree": 2, "knots": [0, 0, 0, 1, 2, 2, 2], "points": [[0, 0], [1, 2], [3, 2], [4, 0]]})",
+              R"({"degree": 2, "knots": [0, 1, 2, 3, 4, 5, 6], "points": [[0, 0], [1, 2], [3, 2], [4, 0]]})",
               R"({"degree": 2, "points": [[0, 2, 0], [2, 3, 1], [4, 2, 3]]})",
               R"({"degree": 1, "points": [[0, 0, 0], [0, 0, 4]]})"};
     case Type::surface:

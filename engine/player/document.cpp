@@ -162,6 +162,20 @@ Checked<Document> open_document(const std::filesystem::path& path, std::string_v
   return document;
 }
 
+namespace {
+
+// Whether one of its scenes is, looked at without reading all of it.
+bool is_about(const Json& lesson, std::string_view algorithm) {
+  const auto names_it = [&](const Json& run) {
+    const Json* about = run.kind == Json::Kind::object ? run.find("algorithm") : nullptr;
+    return about != nullptr && about->text == algorithm;
+  };
+  const Json* scenes = lesson.find("scenes");
+  return names_it(lesson) || (scenes != nullptr && std::ranges::any_of(scenes->items, names_it));
+}
+
+}  // namespace
+
 Checked<Document> example_document(std::string_view algorithm, const std::filesystem::path& lessons) {
   Document document;
   document.algorithm = find_algorithm(algorithm);
@@ -170,12 +184,13 @@ Checked<Document> example_document(std::string_view algorithm, const std::filesy
   for (const auto& file : json_files(lessons, diagnostics)) {
     auto json = JsonDocument::load(file);
     if (!json || file_kind(json->root()) != FileKind::lesson) continue;
-    const Json* about = json->root().find("algorithm");
-    if (about == nullptr || about->text != algorithm) continue;
-    auto lesson = load_lesson(*json);
-    if (!lesson) continue;  // one with mistakes is no example
-    document.inputs = std::move(static_cast<LessonScene&>(*lesson).inputs);
-    return document;
+    if (!is_about(json->root(), algorithm)) continue;
+    const auto lesson = load_lesson(*json);  // one with mistakes is no example
+    for (std::size_t i = 0; lesson && i < lesson->scene_count(); ++i) {
+      if (lesson->scene_at(i).algorithm != document.algorithm) continue;
+      document.inputs = lesson->scene_at(i).inputs;
+      return document;
+    }
   }
   diagnostics.push_back(
       {lessons.string(), 0, 0, "",

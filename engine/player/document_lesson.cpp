@@ -6,7 +6,7 @@
 #include "base/json_write.hpp"
 #include "lesson/lesson.hpp"
 #include "player/document.hpp"
-#include "player/edit.hpp"
+#include "player/edit_parts.hpp"
 
 namespace blossom {
 namespace {
@@ -65,7 +65,7 @@ std::vector<Json> beats_of(const LessonScene& scene, const Languages& languages)
 // has the same steps and names and is quick.
 class Writer {
  public:
-  Writer(const Document& document, const Inputs<Exact>& inputs) : document_(document) {
+  Writer(const Document& document, const Inputs<Exact>& inputs) : document_(document), inputs_(inputs) {
     if (auto run = record<double>(*document.algorithm, inputs))
       rounded_.emplace(std::move(*run));
     else if (auto exact = record<Exact>(*document.algorithm, inputs))
@@ -146,20 +146,49 @@ class Writer {
   // What of the beat is there in this run.
   Json write(Beat beat) const {
     if (const TraceGraph* trace = graph(); trace != nullptr) {
-      std::erase_if(beat.selectors, [&](const std::string& selector) {
-        return selected_up_to({selector}, beat.step, *trace).empty();
-      });
+      std::erase_if(beat.selectors,
+                    [&](const std::string& selector) { return selected_up_to({selector}, beat.step, *trace).empty(); });
       const auto later = [&](const std::string& name) {
         const auto value = trace->find(name);
         return value && trace->value(*value).step > beat.step;
       };
       if (beat.checkpoint && !beat.checkpoint->value.empty() && !later(beat.checkpoint->value)) beat.checkpoint.reset();
+      const bool is_last = beat.step + 1 >= trace->step_count();
+      if (beat.checkpoint && beat.checkpoint->kind == Checkpoint::Kind::line && is_last) beat.checkpoint.reset();
+      if (beat.checkpoint && !can_ask(*beat.checkpoint, beat.step)) beat.checkpoint.reset();
+      if (beat.camera)
+        std::erase_if(beat.camera->fit, [&](const std::string& selector) {
+          return selected_up_to({selector}, trace->step_count() - 1, *trace).empty();
+        });
+      std::erase_if(beat.sliders, [&](const Slider& slider) { return !can_slide(slider); });
     }
     return write_beat(beat, languages());
   }
   Languages languages() const { return document_.lesson ? document_.lesson->languages : Languages{}; }
 
+  // A slider of these inputs still, at both of its ends.
+  bool can_slide(const Slider& slider) const {
+    const auto goes_to = [&](const Exact& end) {
+      const auto edited = edits::with_number_at(*document_.algorithm, inputs_, slider.input, end, false);
+      return edited && (record<double>(*document_.algorithm, *edited) || record<Exact>(*document_.algorithm, *edited));
+    };
+    return number_at(inputs_, slider.input) && goes_to(slider.from) && goes_to(slider.to);
+  }
+
+  bool can_ask(const Checkpoint& checkpoint, std::uint32_t step) const {
+    std::vector<const LocalText*> texts{&checkpoint.ask, &checkpoint.right, &checkpoint.wrong};
+    for (const LocalText& item : checkpoint.items) texts.push_back(&item);
+    for (const Checkpoint::Choice& choice : checkpoint.choices) {
+      texts.push_back(&choice.text);
+      texts.push_back(&choice.feedback);
+    }
+    return std::ranges::all_of(texts, [&](const LocalText* text) {
+      return std::ranges::all_of(text->texts(), [&](const auto& each) { return can_say(each.second, step); });
+    });
+  }
+
   const Document& document_;
+  const Inputs<Exact>& inputs_;
   std::optional<Rounded> rounded_;
   std::optional<Fractions> exact_;
 };

@@ -39,13 +39,32 @@ bool is_given_point(const TraceGraph& trace, ValueId v) {
   return trace.is_input(v) && trace.value(v).kind == ValueKind::point;
 }
 
+// The given points that are control points. Points of other inputs, such as those of a line, come before them under a
+// symbol of their own.
+std::vector<ValueId> control_points(const TraceGraph& trace, const Inputs<Exact>& inputs) {
+  std::size_t count = 0;
+  for (const CurveAddress& at : curves_of(inputs)) count += curve_at(inputs, at).points.size();
+  std::vector<ValueId> given;
+  for (ValueId v = 0; v < trace.values_of(0).second; ++v)
+    if (is_given_point(trace, v)) given.push_back(v);
+  while (given.size() > count) {
+    const auto other = std::ranges::find_if(
+        given, [&](ValueId v) { return trace.value(v).name.symbol != trace.value(given.front()).name.symbol; });
+    if (given.end() - other < static_cast<std::ptrdiff_t>(count)) break;
+    given.erase(given.begin(), other);
+  }
+  return given;
+}
+
 }  // namespace
 
 // Algorithms record the control points they are given at step 0, curve by curve, whatever they call them.
 std::optional<PointAddress> address_of(const TraceGraph& trace, const Inputs<Exact>& inputs, ValueId value) {
   if (value >= trace.value_count() || !is_given_point(trace, value)) return std::nullopt;
-  std::size_t before = 0;
-  for (ValueId v = 0; v < value; ++v) before += is_given_point(trace, v) ? 1 : 0;
+  const auto given = control_points(trace, inputs);
+  const auto found = std::ranges::find(given, value);
+  if (found == given.end()) return std::nullopt;
+  auto before = static_cast<std::size_t>(found - given.begin());
   for (const CurveAddress& at : curves_of(inputs)) {
     const std::size_t count = curve_at(inputs, at).points.size();
     if (before < count) return PointAddress{at.input, at.curve, before};
@@ -60,9 +79,8 @@ std::optional<ValueId> value_of(const TraceGraph& trace, const Inputs<Exact>& in
   const auto own = std::find(curves.begin(), curves.end(), CurveAddress{address.input, address.curve});
   if (own == curves.end() || address.point >= curve_at(inputs, *own).points.size()) return std::nullopt;
   for (auto at = curves.begin(); at != own; ++at) before += curve_at(inputs, *at).points.size();
-  for (ValueId v = 0; v < trace.values_of(0).second; ++v)
-    if (is_given_point(trace, v) && before-- == 0) return v;
-  return std::nullopt;
+  const auto given = control_points(trace, inputs);
+  return before < given.size() ? std::optional(given[before]) : std::nullopt;
 }
 
 // ---- the other inputs -----------------------------------------------------------------------------------------------

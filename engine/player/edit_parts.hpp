@@ -17,6 +17,9 @@ void fit_others(const Algorithm&, Inputs<Exact>&, std::string_view to);
 
 Edited refused(std::string path, std::string message);
 
+// The inputs with another number at a path (see number_at), read as a file's, the others as they are.
+Edited with_number_at(const Algorithm&, const Inputs<Exact>&, std::string_view path, const Exact&, bool fit_others);
+
 // "curve", "profiles[2]"
 std::string path_of(const Inputs<Exact>&, const CurveAddress&);
 Curve<Exact>* find_curve(Inputs<Exact>&, const CurveAddress&);  // nullptr: there is none

@@ -62,6 +62,11 @@ std::optional<Exact> number_at(const Inputs<Exact>& inputs, std::string_view pat
 }
 
 Edited set_number_at(const Algorithm& algorithm, const Inputs<Exact>& inputs, std::string_view path, const Exact& x) {
+  return edits::with_number_at(algorithm, inputs, path, x, true);
+}
+
+Edited edits::with_number_at(const Algorithm& algorithm, const Inputs<Exact>& inputs, std::string_view path,
+                             const Exact& x, bool fit_others) {
   auto opened = open(inputs, path);
   Json* place = opened ? place_in(opened->json, opened->rest) : nullptr;
   const InputSpec* spec = opened ? algorithm.input(opened->name) : nullptr;
@@ -82,7 +87,8 @@ Edited set_number_at(const Algorithm& algorithm, const Inputs<Exact>& inputs, st
   }
   Inputs<Exact> edited = inputs;
   edited.values.find(opened->name)->second = std::move(*value);
-  return edits::checked_and_fitted(algorithm, std::move(edited), opened->name);
+  return fit_others ? checked_and_fitted(algorithm, std::move(edited), opened->name)
+                    : checked(algorithm, std::move(edited), opened->name);
 }
 
 }  // namespace blossom

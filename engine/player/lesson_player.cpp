@@ -257,6 +257,7 @@ bool Player::play_on(double seconds) {
     return false;
   }
   const std::uint32_t before = session_->step();
+  double stay = 0;
   move_as(
       [&](Timeline& t) {
         t.set_speed(settings.speed);
@@ -268,11 +269,12 @@ bool Player::play_on(double seconds) {
           t.pause();
           waiting_ = stop->step;
         } else {
-          stay_left_ = stop->seconds;
+          stay = stop->seconds;
         }
         return true;
       },
       false);
+  if (session_->step() != before) stay_left_ = stay;
   return true;
 }
 
@@ -290,7 +292,10 @@ void Player::slide(std::size_t which, const Exact& wanted) {
   if (session_->prediction() != nullptr && session_->prediction()->open())
     return notice("While you predict, what is given stays as it is. Ctrl+T ends predicting.");
   const Exact to = std::clamp(wanted, slider.from, slider.to);
-  if (number_at(session_->inputs(), slider.input) == to) return;
+  if (number_at(session_->inputs(), slider.input) == to) {
+    slide_refused_ = {};
+    return;
+  }
   if (!camera_) camera_ = shown_camera();  // the picture stays while something in it moves
   const auto edited = set_number_at(session_->algorithm(), session_->inputs(), slider.input, to);
   if (edit(edited, slider.input + " moved", "slide " + slider.input))

@@ -206,7 +206,6 @@ void SceneSamples::find_drawables() {
     if (found == known.end()) found = known.insert(known.end(), {record.name, source_->spec(v)});
     const ValueSpec* spec = found->spec;
     if (spec == nullptr || spec->draw == ValueSpec::Draw::none) continue;
-    if (!spec->foot.empty() && foot_of(record.name, *spec) != record.name) continue;  // an arrow
     Drawable made{v, record.step, graph.retired_at(v), absent, spec->draw, graph.is_input(v), spec->ray, Role::earlier};
     if (phase != absent && scopes[phase] > record.name.outer) made.phase = phase;
     static constexpr Role levels[] = {Role::level_a, Role::level_b, Role::level_c};

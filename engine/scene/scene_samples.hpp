@@ -29,9 +29,6 @@ struct StandingArrow {
   std::uint32_t born = 0;  // step
 };
 
-// The name of the point where a vector stands whose table entry has a foot.
-Name foot_of(const Name& vector, const ValueSpec&);
-
 struct SurfaceSamples {
   Mesh mesh;  // empty where the surface has a pole
   std::vector<std::vector<glm::dvec3>> isolines;

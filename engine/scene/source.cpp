@@ -1,5 +1,7 @@
 #include "scene/source.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "kernel/lift.hpp"
@@ -12,7 +14,26 @@ const ValueSpec* StepSource::spec(ValueId v) const {
   return found != nullptr ? found : algorithm->spec(name);
 }
 
+Name foot_of(const Name& vector, const ValueSpec& spec) {
+  const std::string_view foot = spec.foot;
+  const std::size_t bracket = foot.find('[');
+  Name name{Symbol::of(foot.substr(0, bracket))};
+  name.outer = vector.outer;
+  if (bracket == std::string_view::npos) return name;
+  name.arity = 1;
+  const std::string_view inside = foot.substr(bracket + 1, foot.size() - bracket - 2);
+  if (std::from_chars(inside.data(), inside.data() + inside.size(), name.index[0]).ec != std::errc())
+    name.index[0] = vector.index[0];
+  return name;
+}
+
 namespace {
+
+// Whether a value that is kept like a point is a vector: a coefficient of a polynomial curve.
+bool is_arrow(const Name& name, const Algorithm& algorithm) {
+  const ValueSpec* spec = algorithm.spec(name);
+  return spec != nullptr && !spec->foot.empty() && foot_of(name, *spec) != name;
+}
 
 Curve<double> in_double(const Curve<double>& curve) { return curve; }
 Curve<double> in_double(const Curve<Exact>& curve) { return convert<double>(curve); }
@@ -60,6 +81,7 @@ StepSource make_source(const Narrator<S>& narrator) {
     }
   std::visit([&](const auto& outcome) { source.outcome = in_double(outcome); }, run.outcome);
 
+  const bool any_feet = std::ranges::any_of(run.algorithm->values, [](const auto& spec) { return !spec.foot.empty(); });
   const ValueId count = run.trace.value_count();
   source.points.resize(count);
   source.scalars.resize(count);
@@ -70,6 +92,7 @@ StepSource make_source(const Narrator<S>& narrator) {
     if (kind != ValueKind::point) continue;
     const double w = run.trace.rational ? to_double(numbers[3]) : 1;
     const glm::dvec3 at{to_double(numbers[0]) / w, to_double(numbers[1]) / w, to_double(numbers[2]) / w};
+    if (any_feet && is_arrow(run.trace.value(v).name, *run.algorithm)) continue;
     if (std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z)) source.points[v] = at;
   }
 

@@ -48,4 +48,7 @@ struct StepSource {
 template <Scalar S>
 StepSource make_source(const Narrator<S>&);
 
+// The name of the point where a vector stands whose table entry has a foot.
+Name foot_of(const Name& vector, const ValueSpec&);
+
 }  // namespace blossom

@@ -1,6 +1,5 @@
 // Vectors that are seen where they stand: a derivative at the point of the curve, a tangent at its data point.
 #include <algorithm>
-#include <charconv>
 #include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
@@ -19,19 +18,6 @@ double round_scale(double most) {
 }
 
 }  // namespace
-
-Name foot_of(const Name& vector, const ValueSpec& spec) {
-  const std::string_view foot = spec.foot;
-  const std::size_t bracket = foot.find('[');
-  Name name{Symbol::of(foot.substr(0, bracket))};
-  name.outer = vector.outer;
-  if (bracket == std::string_view::npos) return name;
-  name.arity = 1;
-  const std::string_view inside = foot.substr(bracket + 1, foot.size() - bracket - 2);
-  if (std::from_chars(inside.data(), inside.data() + inside.size(), name.index[0]).ec != std::errc())
-    name.index[0] = vector.index[0];
-  return name;
-}
 
 // All arrows of a run have one scale, so that they can be compared.
 void SceneSamples::find_arrows() {

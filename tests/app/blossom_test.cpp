@@ -116,7 +116,7 @@ TEST_CASE("list names every lesson and every algorithm") {
   REQUIRE(catalog.lessons.size() >= 8);
   for (const auto& entry : catalog.lessons) {
     CHECK(contains(ended.out, entry.file.stem().string()));
-    CHECK(contains(ended.out, entry.lesson.title));
+    CHECK(contains(ended.out, entry.lesson.title.own()));
   }
   for (const Algorithm* algorithm : algorithms()) CHECK(contains(ended.out, std::string(algorithm->summary)));
 }
@@ -144,10 +144,10 @@ TEST_CASE("trace as text tells each step once, numbers filled in") {
     INFO(entry.file);
     CHECK(ended.status == 0);
     CHECK(ended.err.empty());
-    CHECK(contains(ended.out, entry.lesson.title));
+    CHECK(contains(ended.out, entry.lesson.title.own()));
     const std::string words = unwrapped(ended.out);
     for (std::uint32_t step = 0; step < run->trace.step_count(); ++step) {
-      const std::string said = entry.lesson.narration(narrator, step);
+      const std::string said = plain_text(read_prose(entry.lesson.narration(narrator, step)));
       INFO("step " << step << ": " << said);
       CHECK(contains(words, unwrapped(said)));
     }
@@ -158,7 +158,7 @@ TEST_CASE("trace as text tells each step once, numbers filled in") {
 TEST_CASE("A lesson is found by number, name, id or file") {
   const auto by_file = blossom::test::blossom({"trace", "lessons/22-de-boor.json"});
   REQUIRE(by_file.status == 0);
-  for (const std::string name : {"05", "22-de-boor", "de-boor"}) {
+  for (const std::string name : {"22", "22-de-boor", "de-boor"}) {
     const auto ended = blossom::test::blossom({"trace", name});
     SHOW(ended);
     CHECK(ended.status == 0);

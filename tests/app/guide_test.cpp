@@ -33,7 +33,7 @@ std::vector<Block> blocks_of(const std::string& page) {
   return blocks;
 }
 
-const std::string guide = read_all(fs::path(BLOSSOM_SOURCE_DIR) / "lessons/GUIDE.md");
+std::string guide() { return read_all(fs::path(BLOSSOM_SOURCE_DIR) / "lessons/GUIDE.md"); }
 
 // Every key of a schema's "properties", as deep as they go, of what may stand in a lesson.
 void collect_keys(const Json& schema, std::vector<std::string>& keys) {
@@ -52,7 +52,7 @@ TEST_CASE("the instructor's guide: its commands run, in a folder of their own, o
   std::string commands = "set -e\nexport PATH=\"" + std::string(BLOSSOM_BIN_DIR) + ":$PATH\" BLOSSOM=\"" +
                          std::string(BLOSSOM_SOURCE_DIR) + "\"\n";
   std::size_t count = 0;
-  for (const Block& block : blocks_of(guide)) {
+  for (const Block& block : blocks_of(guide())) {
     if (block.language == "json" && !block.name.empty()) scratch.write(block.name, block.text);
     if (block.language != "sh") continue;
     std::istringstream lines(block.text);
@@ -72,7 +72,7 @@ TEST_CASE("the instructor's guide: its commands run, in a folder of their own, o
 TEST_CASE("the instructor's guide: its files are in order", "[app][guide]") {
   const Scratch scratch;
   std::size_t checked = 0;
-  for (const Block& block : blocks_of(guide)) {
+  for (const Block& block : blocks_of(guide())) {
     if (block.language != "json") continue;
     const auto document = JsonDocument::parse("GUIDE.md", block.text);
     SECTION("block " + std::to_string(++checked)) {
@@ -94,7 +94,7 @@ TEST_CASE("the instructor's guide: the lesson of every key has every key of the 
   collect_keys(schema->root(), keys);
   REQUIRE(keys.size() > 30);
   std::string lesson;
-  for (const Block& block : blocks_of(guide))
+  for (const Block& block : blocks_of(guide()))
     if (block.name == "every-key.json") lesson = block.text;
   REQUIRE_FALSE(lesson.empty());
   for (const std::string& key : keys)

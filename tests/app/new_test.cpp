@@ -181,12 +181,12 @@ TEST_CASE("lint finds what is wrong between the files of a course, in the order 
   const std::string folder = scratch / "lessons/";
   const std::vector<std::string> told{
       folder +
-          "1.json:2:40: prerequisites[0]: prerequisites go in a circle: \"one\" needs \"two\", which needs \"one\"",
+          "1.json:2:41: prerequisites[0]: prerequisites go in a circle: \"one\" needs \"two\", which needs \"one\"",
       folder +
-          "2.json:2:40: prerequisites[0]: prerequisites go in a circle: \"two\" needs \"one\", which needs \"two\"",
-      folder + "2.json:2:47: prerequisites[1]: no lesson of this folder has the id \"oen\"; did you mean \"one\"?",
-      folder + "2.json:2:69: exercises[0]: no exercise beside this file or in ../exercises has the id \"x\"",
-      folder + "3.json:2:44: colors.curve: has too little contrast: 1.0:1",
+          "2.json:2:41: prerequisites[0]: prerequisites go in a circle: \"two\" needs \"one\", which needs \"two\"",
+      folder + "2.json:2:48: prerequisites[1]: no lesson beside this file or in the course has the id \"oen\"; did you mean \"one\"?",
+      folder + "2.json:2:70: exercises[0]: no exercise beside this file, in ../exercises or in the course has the id \"x\"",
+      folder + "3.json:2:45: colors.curve: has too little contrast: 1.0:1",
       folder + "4.json:4:7: beats[0].sliders[0].to: with u = 2 the inputs are not valid: u: "};
   std::istringstream in(ended.err);
   for (const std::string& expected : told) {
@@ -204,6 +204,13 @@ TEST_CASE("lint of answers to a lesson's checkpoints knows its questions") {
 "inputs": {"curve": {"degree": 1, "points": [[0, 0], [2, 4]]}, "u": "1/4"},
 "beats": [{"at": "start", "say": "Look.", "checkpoint": {"id": "why", "kind": "choice", "ask": "?",
   "choices": [{"text": "a", "right": true}, {"text": "b"}]}}]})");
+  // An exercise may have the id of a lesson: what is answered tells them apart.
+  fs::create_directory(scratch / "exercises");
+  scratch.write("exercises/1.json", R"({"schema": "blossom.exercise/1", "id": "asking", "title": "T", "prompt": "P",
+"algorithm": "de_casteljau", "inputs": {"curve": {"degree": 1, "points": [[0, 0], [2, 4]]}, "u": "1/4"},
+"ask": [{"value": "C", "points": 1}]})");
+  scratch.write("point.json", R"({"schema": "blossom.answers/1", "exercise": "asking", "answers": {"C": ["1/2", 1]}})");
+  CHECK(in_folder(scratch.path(), {"lint", "point.json"}).status == 0);
   scratch.write("good.json", R"({"schema": "blossom.answers/1", "exercise": "asking", "answers": {"why": "B"}})");
   scratch.write("bad.json",
                 R"({"schema": "blossom.answers/1", "exercise": "asking", "answers": {"why": "c", "wy": "a"}})");

@@ -1,5 +1,6 @@
 // Any bytes as answers to the shipped exercises and to the checkpoints of the shipped lessons (those they say they are
-// for, otherwise the first exercise): there is a grade, its verdicts and points agree with each other and with the quick comparison, and its text is JSON.
+// for, otherwise the first exercise): there is a grade, its verdicts and points agree with each other and with the
+// quick comparison, and its text is JSON.
 
 #include <algorithm>
 #include <filesystem>

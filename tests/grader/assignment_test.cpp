@@ -96,12 +96,26 @@ TEST_CASE("an exercise may stand in the assignment itself, and its mistakes keep
   CHECK(text.find("course.json:4:") != std::string::npos);  // the id, behind two-byte characters
 }
 
+TEST_CASE("a lesson stands in an assignment for its checkpoints") {
+  const Scratch scratch;
+  scratch.write("lesson.json", R"({"schema": "blossom.lesson/1", "id": "asks", "title": "T", "algorithm": "de_casteljau",
+    "inputs": {"curve": {"degree": 1, "points": [[0, 0], [2, 4]]}, "u": "1/4"},
+    "beats": [{"at": "start", "say": "Look.",
+               "checkpoint": {"id": "where", "kind": "predict", "value": "C", "points": 3, "ask": "Where?"}}]})");
+  const auto assignment = read(scratch, R"("exercises": [{"file": "lesson.json", "points": 5}, {"file": "a.json"}])");
+  INFO(to_string(assignment.diagnostics));
+  REQUIRE(assignment);
+  CHECK(assignment->item("asks") == std::optional<std::size_t>(0));
+  CHECK(assignment->items[0].points == Exact(5));
+  CHECK(assignment->items[0].exercise.parts[0].name == "where");
+}
+
 TEST_CASE("every mistake of an assignment is told at once") {
   const Scratch scratch;
   scratch.write("bad.json", "{\n \"schema\": \"blossom.exercise/1\"}");
-  scratch.write("lesson.json", R"({"schema": "blossom.lesson/1"})");
+  scratch.write("scene.json", R"({"schema": "blossom.scene/1"})");
   const auto text = mistakes(read(scratch, R"("exercises": [{"file": "a.json", "points": -1}, {"file": "b.json"},
-      {"file": "none.json"}, {"file": "bad.json"}, {"file": "lesson.json"}, {}, {"file": "b.json", "exercise": {}}],
+      {"file": "none.json"}, {"file": "bad.json"}, {"file": "scene.json"}, {}, {"file": "b.json", "exercise": {}}],
       "due": "tomorrow", "late": {"per_day": 2, "grace": 1}, "attempts": "worst", "feedback": "loud", "lms_id": 7)"));
   INFO(text);
   for (const auto* each : {"exercises[0].points: must be from 0", "exercises[2].file: \"none.json\"", "bad.json:1:1",

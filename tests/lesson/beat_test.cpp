@@ -39,7 +39,8 @@ TEST_CASE("what is said at every step of a kind must fit each of them, and is to
 
 TEST_CASE("words are in a small part of Markdown, and what is not is told") {
   CHECK(mistakes(beat("\"start\"", "**Bold**, *emphasis* and $\\\\frac{1}{2}$.")).empty());
-  CHECK_THAT(mistakes(beat("\"start\"", "# A heading")), Catch::StartsWith("lesson.json:3:34: beats[0].say: there are no headings here"));
+  CHECK_THAT(mistakes(beat("\"start\"", "# A heading")),
+             Catch::StartsWith("lesson.json:3:34: beats[0].say: there are no headings here"));
   CHECK_THAT(mistakes(beat("\"start\"", "A $ formula that $\\\\unknowncommand{1}$")),
              Catch::StartsWith("lesson.json:3:34: beats[0].say: a $ has no partner in its paragraph"));
 }

@@ -11,7 +11,7 @@ namespace blossom::test {
 
 namespace fs = std::filesystem;
 
-inline const fs::path de_boor = "lessons/22-de-boor.json";
+inline const fs::path de_boor = "tests/play/data/22-de-boor.json";
 
 inline std::string text_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);

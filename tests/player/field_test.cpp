@@ -104,7 +104,7 @@ TEST_CASE("the arrow keys count in the last place") {
 }
 
 TEST_CASE("undo takes half-typed texts along, for what they were about is gone") {
-  auto document = open_document(std::filesystem::path(BLOSSOM_SOURCE_DIR) / "lessons/22-de-boor.json");
+  auto document = open_document(std::filesystem::path(BLOSSOM_SOURCE_DIR) / "tests/play/data/22-de-boor.json");
   REQUIRE(document);
   auto session = Session::open(std::move(*document), true);
   REQUIRE(session);

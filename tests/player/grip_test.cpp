@@ -18,7 +18,7 @@ std::unique_ptr<Session> opened(const char* file) {
   return std::move(*session);
 }
 
-std::unique_ptr<Session> de_boor() { return opened("lessons/22-de-boor.json"); }
+std::unique_ptr<Session> de_boor() { return opened("tests/play/data/22-de-boor.json"); }
 
 // 100 units of the page are 1 in the world; (0, 0) is in the middle, at (400, 300).
 constexpr ViewSize page{800, 600};
@@ -176,7 +176,7 @@ TEST_CASE("a knot beyond its neighbour is refused at that knot") {
 }
 
 TEST_CASE("knots of a Bezier curve stay where they are") {
-  const auto session = opened("lessons/11-de-casteljau.json");
+  const auto session = opened("tests/play/data/11-de-casteljau.json");
   const KnotGrip grip(*session, {"curve", 0}, 0, axis, 0);
   CHECK(grip.edited(session->algorithm(), 0, none));
   const Edited edited = grip.edited(session->algorithm(), 100, none);

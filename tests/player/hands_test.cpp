@@ -21,7 +21,7 @@ class NoDesk final : public Desk {
 struct Opened {
   NoDesk desk;
   Player player{PlayerOptions{{}, "lessons", "exercises", false}, desk};
-  explicit Opened(const char* file = "lessons/22-de-boor.json") { REQUIRE(player.open(file)); }
+  explicit Opened(const char* file = "tests/play/data/22-de-boor.json") { REQUIRE(player.open(file)); }
 
   Session& session() { return *player.session(); }
   ValueId value(const std::string& name) { return session().recording().graph().find(name).value(); }

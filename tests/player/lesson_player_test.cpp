@@ -259,11 +259,11 @@ TEST_CASE("A slider stays within its range, and goes by its steps") {
   open_scene(player, 2);
   forward(player);
   player.slide(0, Exact(5));
-  CHECK(state(player, "u") == "1");
+  CHECK(number_at(player.session()->inputs(), "u") == Exact(1));
   player.slide_by(0, -3);
   CHECK(state(player, "u") == "\"5/8\"");
   player.slide_by(0, -99);
-  CHECK(state(player, "u") == "0");
+  CHECK(number_at(player.session()->inputs(), "u") == Exact(0));
   player.slide(9, Exact(1));  // there is none
 }
 
@@ -287,9 +287,9 @@ TEST_CASE("A slider that is refused says why, and nothing moves") {
 }
 
 TEST_CASE("Numbers of inputs are found and set by their paths, in every kind of input") {
-  for (const auto& [file, path, to] : {std::tuple("lessons/22-de-boor.json", "curve.knots[4]", "1/3"),
-                                       std::tuple("lessons/22-de-boor.json", "u", "0.6"),
-                                       std::tuple("lessons/22-de-boor.json", "curve.points[2][1]", "-3/7"),
+  for (const auto& [file, path, to] : {std::tuple("tests/play/data/22-de-boor.json", "curve.knots[4]", "1/3"),
+                                       std::tuple("tests/play/data/22-de-boor.json", "u", "0.6"),
+                                       std::tuple("tests/play/data/22-de-boor.json", "curve.points[2][1]", "-3/7"),
                                        std::tuple("lessons/40-rational-quarter-circle.json", "curve.weights[1]", "3/4"),
                                        std::tuple("lessons/71-interpolation.json", "points[1][0]", "1/2")}) {
     INFO(file << " " << path);
@@ -302,7 +302,7 @@ TEST_CASE("Numbers of inputs are found and set by their paths, in every kind of 
     REQUIRE(edited);
     CHECK(number_at(*edited, path) == Exact::parse(to));
   }
-  const auto document = open_document("lessons/22-de-boor.json");
+  const auto document = open_document("tests/play/data/22-de-boor.json");
   for (const char* path : {"", "v", "curve", "curve.points", "curve.points[9][0]", "curve.points[1", "curve.knots[x]",
                            "curve.knots[4].x", "u[0]", "u.", "curve..knots[4]"}) {
     INFO(path);

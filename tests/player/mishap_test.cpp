@@ -41,7 +41,7 @@ TEST_CASE("in decimals a run may have other steps than in fractions: questions f
 TEST_CASE("what has the keyboard is looked up by its name after an edit, or let go of") {
   World world;
   Player& player = world.player();
-  REQUIRE(player.open(fs::absolute("lessons/22-de-boor.json")));
+  REQUIRE(player.open(fs::absolute("tests/play/data/22-de-boor.json")));
   const auto id = [&](const char* name) { return *player.session()->recording().graph().find(name); };
   player.focused = {Link::Kind::value, id("P[3][4]")};
   player.settle();
@@ -63,7 +63,7 @@ TEST_CASE("what has the keyboard is looked up by its name after an edit, or let 
 TEST_CASE("edits that one goes on without are lost only when there is something to go on to") {
   World world;
   Player& player = world.player();
-  REQUIRE(player.open(fs::absolute("lessons/22-de-boor.json")));
+  REQUIRE(player.open(fs::absolute("tests/play/data/22-de-boor.json")));
   REQUIRE(move(player, 3, 40, 20));
   write(world.scratch / "broken.json", "{");
   player.unless_unsaved([&](Player& p) { p.open(world.scratch / "broken.json"); });
@@ -77,7 +77,7 @@ TEST_CASE("a file that changes while something of it is held takes it out of the
   World world(true);
   Player& player = world.player();
   const fs::path file = world.scratch / "lesson.json";
-  write(file, text_of("lessons/22-de-boor.json"));
+  write(file, text_of("tests/play/data/22-de-boor.json"));
   REQUIRE(player.open(file));
   player.set_view_size({600, 400});
   const Session& s = *player.session();
@@ -117,17 +117,17 @@ TEST_CASE("a file whose name is no UTF-8 does not spoil what is remembered of th
   World world;
   Player& player = world.player();
   const fs::path odd = world.scratch / "odd\xff.json";
-  write(odd, text_of("lessons/11-de-casteljau.json"));
+  write(odd, text_of("tests/play/data/11-de-casteljau.json"));
   REQUIRE(player.open(odd));
   player.keep();
-  REQUIRE(player.open(fs::absolute("lessons/22-de-boor.json")));
+  REQUIRE(player.open(fs::absolute("tests/play/data/22-de-boor.json")));
   player.seek(3);
   player.keep();
   player.keep();
   Diagnostics wrong;
   const auto progress = load_progress(options_in(world.scratch).places, wrong);
   CHECK(to_string(wrong).empty());
-  CHECK(progress.contains(fs::absolute("lessons/22-de-boor.json").string()));
+  CHECK(progress.contains(fs::absolute("tests/play/data/22-de-boor.json").string()));
 }
 
 TEST_CASE("answers to an exercise are not lost without a word; those of practice may be") {
@@ -147,7 +147,7 @@ TEST_CASE("answers to an exercise are not lost without a word; those of practice
   CHECK(done == 3);
   CHECK(text_of(world.scratch / "answers.json").find("\"k\": \"4\"") != std::string::npos);
 
-  REQUIRE(player.open(fs::absolute("lessons/11-de-casteljau.json")));
+  REQUIRE(player.open(fs::absolute("tests/play/data/11-de-casteljau.json")));
   REQUIRE(player.session()->start_prediction().empty());
   REQUIRE_FALSE(player.session()->prediction()->answer(0, {"1", "1"}));
   player.unless_unsaved([&](Player&) { ++done; });

@@ -66,7 +66,7 @@ TEST_CASE("Opening something else takes nothing along") {
   player.pin(link_to(player, "P[1][3]"));
   player.ask_why(link_to(player, "P[2][4]").id);
   player.set_camera(Camera{});
-  open(player, "lessons/11-de-casteljau.json");
+  open(player, "tests/play/data/11-de-casteljau.json");
   CHECK_FALSE(player.pinned());
   CHECK_FALSE(player.why_asked());
   CHECK_FALSE(player.camera());
@@ -364,7 +364,7 @@ TEST_CASE("Where one was, one's bookmarks and settings are there the next time")
   CHECK_FALSE(player.notice().empty());
   // At its end a lesson begins anew.
   player.seek(player.session()->last());
-  open(player, "lessons/11-de-casteljau.json");
+  open(player, "tests/play/data/11-de-casteljau.json");
   open(player, de_boor);
   CHECK(state(player, "step") == "0");
 }
@@ -408,7 +408,7 @@ TEST_CASE("Playing goes on at the speed that is set, and stops at the end") {
 TEST_CASE("A notice goes away by itself, and only that is a reason to draw") {
   World world;
   Player& player = world.player();
-  open(player, "lessons/11-de-casteljau.json");
+  open(player, "tests/play/data/11-de-casteljau.json");
   player.notice("Look here.");
   CHECK_FALSE(player.advance(4.9));
   CHECK(player.notice() == "Look here.");

@@ -463,7 +463,7 @@ TEST_CASE("practice can be had of any run, and its right answers are right") {
 }
 
 TEST_CASE("a question says which of its kind is asked, an answer stands as one writes it") {
-  const auto document = open_document("lessons/11-de-casteljau.json");
+  const auto document = open_document("tests/play/data/11-de-casteljau.json");
   REQUIRE(document);
   const auto recording = Recording::make(*document->algorithm, document->inputs, true);
   REQUIRE(recording);

@@ -17,7 +17,7 @@ Document document(const std::string& file) {
   return std::move(*opened);
 }
 
-std::unique_ptr<Session> session(const std::string& file = "lessons/22-de-boor.json", bool exact = true) {
+std::unique_ptr<Session> session(const std::string& file = "tests/play/data/22-de-boor.json", bool exact = true) {
   auto opened = Session::open(document(file), exact);
   INFO(to_string(opened.diagnostics));
   REQUIRE(opened);
@@ -37,7 +37,7 @@ std::string made(const Session& s) {
 
 TEST_CASE("a session begins at step 0, unedited, in the arithmetic one wishes") {
   for (const bool exact : {true, false}) {
-    const auto s = session("lessons/22-de-boor.json", exact);
+    const auto s = session("tests/play/data/22-de-boor.json", exact);
     CHECK(s->step() == 0);
     CHECK(s->last() == 15);
     CHECK_FALSE(s->edited());
@@ -77,7 +77,7 @@ TEST_CASE("edited and unsaved are about the inputs, not about how one came there
 }
 
 TEST_CASE("one stays at the step of the same value wherever its number goes") {
-  const auto s = session("lessons/22-de-boor.json");
+  const auto s = session("tests/play/data/22-de-boor.json");
   for (const char* value : {"k", "s", "alpha[1][3]", "P[1][3]", "P[2][4]", "C"}) {
     INFO(value);
     REQUIRE(s->seek(std::string(value)));
@@ -173,7 +173,7 @@ TEST_CASE("a file that changed is the new original, and the edits made before ar
   const auto s = session();
   s->seek(std::string("P[1][3]"));
   REQUIRE(s->edit(moved(*s, 3, 44), "move"));
-  REQUIRE(s->reload(document("lessons/22-de-boor.json")).empty());
+  REQUIRE(s->reload(document("tests/play/data/22-de-boor.json")).empty());
   CHECK(made(*s) == "P[1][3]");
   CHECK_FALSE(s->edited());
   CHECK(s->history().undo_what() == "the file was changed on disk");
@@ -181,7 +181,7 @@ TEST_CASE("a file that changed is the new original, and the edits made before ar
   CHECK(s->edited());
 
   // Another algorithm's inputs are nothing that could be undone to.
-  REQUIRE(s->reload(document("lessons/11-de-casteljau.json")).empty());
+  REQUIRE(s->reload(document("tests/play/data/11-de-casteljau.json")).empty());
   CHECK(s->algorithm().id == "de_casteljau");
   CHECK_FALSE(s->history().can_undo());
 }

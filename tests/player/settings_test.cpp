@@ -225,13 +225,65 @@ TEST_CASE("where no folder can be made, saving says why") {
   CHECK(saved.diagnostics.size() == 1);
 }
 
+Progress seen(ScenePlace place, double best_score, std::int64_t when) {
+  Progress progress;
+  static_cast<ScenePlace&>(progress) = std::move(place);
+  progress.best_score = best_score;
+  progress.seen = when;
+  return progress;
+}
+
 // ---- progress -------------------------------------------------------------------------------------------------------
+
+TEST_CASE("of a lesson the scenes and the answers are remembered, too, and what is damaged of them is passed over") {
+  const Scratch scratch;
+  const Places places = places_in(scratch);
+  Progress progress = seen({3, 7, 5, {1, 4}}, -1, 0);
+  progress.scene = "second";
+  progress.scenes = {{"first", {9, 9, 9, {}}}, {"second", progress}};
+  progress.scene_count = 4;
+  progress.answers = {{"why", "\"b\""}, {"where", "[\"1/3\", 2]"}};
+  progress.skipped = {"order"};
+  progress.asked = 5;
+  progress.right = 1;
+  CHECK(progress.share() == Approx((1.0 + 5.0 / 7) / 4));
+  REQUIRE(save_progress(places, {{"/a", progress}}));
+  Diagnostics wrong;
+  ProgressMap loaded = load_progress(places, wrong);
+  CHECK(to_string(wrong).empty());
+  loaded["/a"].seen = 0;
+  CHECK(loaded == ProgressMap{{"/a", progress}});
+
+  write(places.state / "progress.json", R"({"schema": "blossom.progress/1", "files": {"/a":
+    {"step": 1, "scenes": {"x": 5, "y": {"step": 2}}, "answers": [], "skipped": [7, "z"], "right": -1}}})");
+  const ProgressMap damaged = load_progress(places, wrong);
+  CHECK_FALSE(wrong.empty());
+  CHECK(damaged.at("/a").scenes == std::map<std::string, ScenePlace>{{"y", {2, 0, 0, {}}}});
+  CHECK(damaged.at("/a").skipped == std::vector<std::string>{"z"});
+  CHECK(damaged.at("/a").right == 0);
+}
+
+TEST_CASE("a language is remembered as lessons name it, or not at all") {
+  const Scratch scratch;
+  const Places places = places_in(scratch);
+  Settings settings;
+  settings.language = "de";
+  REQUIRE(save_settings(places, settings));
+  Diagnostics wrong;
+  CHECK(load_settings(places, wrong).language == "de");
+  CHECK(wrong.empty());
+  settings.language = "Deutsch";
+  CHECK(sane(settings).language.empty());
+  write(places.config / "settings.json", R"({"schema": "blossom.settings/1", "language": "EN_us"})");
+  CHECK(load_settings(places, wrong).language.empty());
+  CHECK(wrong.size() == 1);
+}
 
 TEST_CASE("progress that is saved is what is loaded, with the time it was saved at") {
   const Scratch scratch;
   const Places places = places_in(scratch);
-  const ProgressMap saved{{"/lessons/a.json", {3, 7, 5, {1, 4}, 0.75, 0}},
-                          {"/lessons/\"b\".json", {0, 12, 0, {}, -1, 0}}};
+  const ProgressMap saved{{"/lessons/a.json", seen({3, 7, 5, {1, 4}}, 0.75, 0)},
+                          {"/lessons/\"b\".json", seen({0, 12, 0, {}}, -1, 0)}};
   REQUIRE(save_progress(places, saved));
   Diagnostics wrong;
   ProgressMap loaded = load_progress(places, wrong);
@@ -286,7 +338,7 @@ TEST_CASE("what is wrong in the progress is named, the rest counts, and the file
   Diagnostics wrong;
   const ProgressMap map = load_progress(places, wrong);
   CHECK(wrong.size() == 4);
-  CHECK(map == ProgressMap{{"/a", {2, 9, 0, {1, 3}, -1, 5}}, {"/c", {4, 0, 0, {}, -1, 0}}});
+  CHECK(map == ProgressMap{{"/a", seen({2, 9, 0, {1, 3}}, -1, 5)}, {"/c", seen({4, 0, 0, {}}, -1, 0)}});
   REQUIRE(save_progress(places, {{"/d", at_step(1)}}));
   CHECK(bytes_of(file.string() + ".bad") == text);
   Diagnostics none;

@@ -39,10 +39,10 @@ TEST_CASE("Each page says its title, its step and its narration") {
   for_each_step<double>([](const auto& lesson, std::uint32_t step) {
     const Scene scene = lesson.page(step);
     REQUIRE(scene.views.size() >= 3);
-    CHECK(scene.title == lesson.lesson.title);
+    CHECK(scene.title == lesson.lesson.title.own());
     CHECK(scene.description == lesson.narration(step));
     const View& page = scene.views[0];
-    CHECK(shows(page, lesson.lesson.title));
+    CHECK(shows(page, lesson.lesson.title.own()));
     CHECK(shows(page, "step " + std::to_string(step) + " / " + std::to_string(lesson.step_count() - 1)));
     CHECK(shows(page, typeset_text(lesson.narration(step), lesson.source.algorithm_at(step))));
   });

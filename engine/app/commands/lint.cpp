@@ -50,33 +50,49 @@ std::vector<fs::path> expand(const std::vector<std::string>& given, Diagnostics&
 class Course {
  public:
   CourseIndex index;
+  const CourseFolders shipped{find_folder("lessons"), find_folder("exercises")};
 
   // The folders that this file may name something in.
   void add_folders_of(const fs::path& file, const Json& root) {
     switch (file_kind(root)) {
       case FileKind::lesson:
-        if (root.find("prerequisites") != nullptr) index.add_folder(file.parent_path());
-        if (root.find("exercises") != nullptr)
+        if (root.find("prerequisites") != nullptr) {
+          index.add_folder(file.parent_path());
+          index.add_folder(shipped.lessons);
+        }
+        if (root.find("exercises") != nullptr) {
           for (const fs::path& folder : folders_of_exercises(file)) index.add_folder(folder);
+          index.add_folder(shipped.exercises);
+        }
         break;
       case FileKind::answers:
-        index.add_folder(find_folder("exercises"));
-        index.add_folder(find_folder("lessons"));
+        index.add_folder(shipped.exercises);
+        index.add_folder(shipped.lessons);
         break;
       default:
         break;
     }
   }
 
-  // The exercise of this id, or the checkpoints of the lesson; nullptr if there is none, or not in order.
-  const Exercise* find_exercise(const std::string& id) {
+  // The exercise of this id or the checkpoints of the lesson, which may have the same: the one that asks for more of
+  // these names. nullptr if there is none, or not in order.
+  const Exercise* find_exercise(const std::string& id, const std::vector<std::string>& names) {
     const std::scoped_lock lock(mutex_);
-    const auto [known, is_new] = read_.try_emplace(id);
+    const Exercise* exercise = read(index.exercise_file(shipped.exercises, id), false);
+    const Exercise* sheet = read(index.lesson_file(shipped.lessons, id), true);
+    if (exercise == nullptr || sheet == nullptr) return exercise != nullptr ? exercise : sheet;
+    const auto asked = [&](const Exercise& of) {
+      return std::ranges::count_if(names, [&](const std::string& name) { return of.part(name).has_value(); });
+    };
+    return asked(*exercise) < asked(*sheet) ? sheet : exercise;
+  }
+
+ private:
+  const Exercise* read(const fs::path& file, bool lesson) {
+    if (file.empty()) return nullptr;
+    const auto [known, is_new] = read_.try_emplace(file);
     if (!is_new) return known->second ? &*known->second : nullptr;
-    fs::path file = index.exercise_file(find_folder("exercises"), id);
-    const bool lesson = file.empty();
-    if (lesson) file = index.lesson_file(find_folder("lessons"), id);
-    const auto document = file.empty() ? Checked<JsonDocument>(Diagnostics()) : JsonDocument::load(file);
+    const auto document = JsonDocument::load(file);
     if (!document) return nullptr;
     auto exercise = lesson ? read_sheet(*document) : read_exercise(*document);
     if (!exercise) return nullptr;
@@ -85,9 +101,8 @@ class Course {
     return &*known->second;
   }
 
- private:
   std::mutex mutex_;
-  std::map<std::string, std::optional<Exercise>> read_;
+  std::map<fs::path, std::optional<Exercise>> read_;
 };
 
 bool is_letters(const Json& json) {
@@ -121,7 +136,7 @@ void check_answers(const Cursor& root, Course& course) {
     if (answers) answers->error("must be an object of names and values, such as {\"P[1][0]\": [1, \"3/2\"]}");
     return;
   }
-  const Exercise* exercise = text ? course.find_exercise(*text) : nullptr;
+  const Exercise* exercise = text ? course.find_exercise(*text, answers->json().keys) : nullptr;
   for (std::size_t i = 0; i < answers->size(); ++i) {
     const std::string& name = answers->json().keys[i];
     const Cursor answer = answers->member(i);
@@ -144,7 +159,7 @@ Diagnostics lint_lesson(const JsonDocument& document, const Course& course) {
   Diagnostics diagnostics = load_lesson(document).diagnostics;
   const auto add = [&](const Diagnostics& more) { diagnostics.insert(diagnostics.end(), more.begin(), more.end()); };
   if (diagnostics.empty()) add(check_sliders(document));
-  add(check_links(document, course.index));
+  add(check_links(document, course.index, course.shipped));
   return diagnostics;
 }
 

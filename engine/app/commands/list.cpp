@@ -97,9 +97,11 @@ void write_lessons(const Entries& entries) {
     for (const CatalogEntry* entry : lessons) {
       const Lesson& lesson = entry->lesson;
       minutes += lesson.minutes;
-      rows.push_back({printable(entry->file.stem().string()), printable(lesson.title.own()),
-                      lesson.minutes > 0 ? std::to_string(lesson.minutes) + " min" : "",
-                      lesson.exercises.empty() ? "" : of(lesson.exercises.size(), "exercise")});
+      rows.push_back(
+          {printable(entry->file.stem().string()), printable(lesson.title.own()),
+           lesson.minutes > 0 ? (lesson.minutes < 10 ? " " : "") + std::to_string(lesson.minutes) + " min" : "",
+           lesson.exercises.empty() ? "" : of(lesson.exercises.size(), "exercise")});
+      while (rows.back().back().empty()) rows.back().pop_back();  // no blanks at the end of a line
     }
     std::cout << "\n"
               << (unit.empty() ? "Of no unit" : printable(unit)) << " (" << of(lessons.size(), "lesson")

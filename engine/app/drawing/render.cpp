@@ -121,8 +121,9 @@ int draw(const Subject& subject, const Options& options, const PageLook& look) {
       return machine_at_fault;
     }
     const int columns = images.size() < 5 ? 2 : (images.size() < 17 ? 3 : 4);
-    const auto saved = write_png(options.contact_sheet, contact_sheet(**fonts, *look.theme, images, captions, columns, 560),
-                                 page.title + ": all steps");
+    const auto saved =
+        write_png(options.contact_sheet, contact_sheet(**fonts, *look.theme, images, captions, columns, 560),
+                  page.title + ": all steps");
     if (!saved) {
       report(saved.diagnostics);
       return machine_at_fault;

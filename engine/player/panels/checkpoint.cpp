@@ -58,8 +58,18 @@ void draw_row(Ui& ui, const Checkpoints& checkpoints, std::optional<std::size_t>
 
 // ---- answers --------------------------------------------------------------------------------------------------------
 
-void answer_button(Ui& ui) {
+void skip_button(Ui& ui, const Item& item) {
+  if (!item.open() || ui.player().asks_to_skip()) return;
+  if (predict_button(ui, "Skip", "checkpoint skip", "One can come back to it   Ctrl+Right"))
+    ui.send([](Player& p) { p.skip_checkpoint(); });
+}
+
+void answer_button(Ui& ui, const Item& item) {
+  ImGui::Dummy({0, ui.px(1)});
   if (predict_button(ui, "Answer", "checkpoint answer", "Enter")) ui.send([](Player& p) { p.submit_checkpoint(); });
+  ImGui::SameLine();
+  skip_button(ui, item);
+  if (!item.open() || ui.player().asks_to_skip()) ImGui::NewLine();
 }
 
 void draw_fields(Ui& ui, const Checkpoints::Reply& reply) {
@@ -130,15 +140,27 @@ void draw_spans(Ui& ui, const Session& session) {
   }
 }
 
+// All of the code, for the panel of the code may show only a part of it.
 void draw_lines(Ui& ui, const Session& session) {
-  ImGui::TextDisabled("Click the line in the code, or its number here:");
-  const auto count = static_cast<int>(session.recording().source().algorithm_at(session.step()).pseudo_code.size());
-  for (int line = 1; line <= count; ++line) {
-    if (line > 1) ImGui::SameLine(0, ui.px(3));
-    if (ImGui::GetContentRegionAvail().x < ui.px(26)) ImGui::NewLine();
-    if (predict_button(ui, std::to_string(line).c_str(), "checkpoint line " + std::to_string(line)))
+  ImGui::TextDisabled("Click the line, here or in the code:");
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(1)});
+  int line = 0;
+  for (const auto& code : session.recording().source().algorithm_at(session.step()).pseudo_code) {
+    const std::string number = std::to_string(++line);
+    const ImVec2 at = ImGui::GetCursorScreenPos(), size{ImGui::GetContentRegionAvail().x, ui.px(21)};
+    if (ImGui::InvisibleButton(("line" + number).c_str(), size))
       ui.send([line](Player& p) { p.submit_checkpoint_line(line); });
+    ui.thing("checkpoint line " + number);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (ImGui::IsItemHovered() || (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible))
+      list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ui.color(Role::rule_line, 0.6), ui.px(4));
+    ImGui::PushFont(ui.mono());
+    const float y = at.y + (size.y - ImGui::GetFontSize()) / 2;
+    list.AddText({at.x + ui.px(6), y}, ui.ink(Role::text_quiet), number.c_str());
+    list.AddText({at.x + ui.px(30), y}, ui.ink(Role::text), shortened(std::string(code), size.x - ui.px(34)).c_str());
+    ImGui::PopFont();
   }
+  ImGui::PopStyleVar();
 }
 
 // A row one can click: a sign or what stands for it, the letter, the text. Its height in pixels.
@@ -177,6 +199,7 @@ bool option_row(Ui& ui, const std::string& name, std::size_t letter, const std::
 
 void draw_choices(Ui& ui, const Item& item, const Checkpoints::Reply& reply, bool takes) {
   const Player& player = ui.player();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, ui.px(1)});
   const float width = ImGui::GetContentRegionAvail().x;
   const Checkpoints::Marked* last = item.last();
   for (std::size_t i = 0; i < item.checkpoint.choices.size(); ++i) {
@@ -188,7 +211,8 @@ void draw_choices(Ui& ui, const Item& item, const Checkpoints::Reply& reply, boo
         takes)
       ui.send([i](Player& p) { p.checkpoints().choose(i); });
   }
-  if (takes) answer_button(ui);
+  ImGui::PopStyleVar();
+  if (takes) answer_button(ui, item);
 }
 
 void draw_order(Ui& ui, const Item& item, const Checkpoints::Reply& reply, bool takes) {
@@ -221,7 +245,7 @@ void draw_order(Ui& ui, const Item& item, const Checkpoints::Reply& reply, bool 
   }
   if (!takes) return;
   ImGui::TextDisabled("Its letter takes an item, the arrow keys move it.");
-  answer_button(ui);
+  answer_button(ui, item);
 }
 
 // ---- what is said to it ---------------------------------------------------------------------------------------------
@@ -234,7 +258,7 @@ void draw_mark_of(Ui& ui, const Item& item) {
   ImGui::Indent(ui.px(22));
   std::string said = last->right ? "**Right.**" : "**Not right.**";
   if (!last->words.empty()) said += " " + last->words;
-  prose(ui, said, 1, last->right ? Role::right : Role::mistake);
+  prose(ui, said, 1, Role::text);
   ui.thing("checkpoint feedback");
   if (!last->note.empty()) {
     ImGui::PushTextWrapPos(0);
@@ -249,7 +273,19 @@ void draw_mark_of(Ui& ui, const Item& item) {
     ImGui::SameLine();
   }
   const Session& session = *ui.player().session();
-  if (!session.timeline().at_end()) predict_action(ui, "step.forward", "Go on");
+  if (!session.timeline().at_end())
+    predict_action(ui, "step.forward", "Go on");
+  else if (ui.player().scene() + 1 < ui.player().scene_count())
+    predict_action(ui, "lesson.next_scene", "Next scene");
+  else
+    ImGui::NewLine();
+  // What is said to an answer is to be seen.
+  float& seen = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("seen"), 0);
+  const auto now = static_cast<float>(ImGui::GetID(item.checkpoint.id.c_str()) % 65536 + (item.again ? 65536 : 0));
+  if (std::exchange(seen, now) != now) {
+    ImGui::SetScrollHereY(1);
+    ui.redraw();
+  }
 }
 
 void draw_skip(Ui& ui) {
@@ -300,10 +336,8 @@ void draw_question(Ui& ui, const Session& session, std::size_t which) {
   }
   draw_answer(ui, session, item);
   draw_mark_of(ui, item);
-  if (ui.player().asks_to_skip())
-    draw_skip(ui);
-  else if (item.open() && predict_button(ui, "Skip", "checkpoint skip", "One can come back to it"))
-    ui.send([](Player& p) { p.skip_checkpoint(); });
+  if (ui.player().asks_to_skip()) return draw_skip(ui);
+  if (item.checkpoint.choices.empty() && item.checkpoint.items.empty()) skip_button(ui, item);
 }
 
 // ---- between the questions and at the end ---------------------------------------------------------------------------

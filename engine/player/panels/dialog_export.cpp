@@ -3,6 +3,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "export/export.hpp"
@@ -27,19 +28,29 @@ std::string named(const std::string& text, const LessonFormat& format) {
   return name.string() + (format.many_files ? "" : std::string(format.extension));
 }
 
+// What is wanted most comes first.
+std::vector<const LessonFormat*> ordered_formats() {
+  static constexpr std::array<std::string_view, 10> order{"html", "pdf", "mp4", "webm", "gif",
+                                                          "png",  "svg", "tex", "md",   "json"};
+  auto formats = lesson_formats();
+  std::ranges::stable_sort(formats, {},
+                           [](const LessonFormat* format) { return std::ranges::find(order, format->id); });
+  return formats;
+}
+
 void draw_formats(Ui& ui, Fields& fields) {
   const float row = ImGui::GetFrameHeightWithSpacing();
   const auto count = static_cast<float>(lesson_formats().size());
   const float height = std::min(count * row + ui.px(4), std::max(dialog_room(ui, ui.px(250)), 3 * row));
   ImGui::BeginChild("formats", {0, height}, false, ImGuiWindowFlags_NavFlattened);
-  for (const LessonFormat* format : lesson_formats()) {
+  for (const LessonFormat* format : ordered_formats()) {
     const bool chosen = fields.format == format->id;
     if (ImGui::RadioButton(std::string(format->title).c_str(), chosen)) {
       fields.format = format->id;
       fields.file.text = named(fields.file.text, *format);
     }
     ui.thing("dialog format " + std::string(format->id));
-    ImGui::SameLine(ui.px(150));
+    ImGui::SameLine(ui.px(178));
     ImGui::PushStyleColor(ImGuiCol_Text, ui.ink(Role::text_quiet));
     ImGui::TextUnformatted(shortened(std::string(format->summary), ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopStyleColor();
@@ -51,19 +62,19 @@ void draw_formats(Ui& ui, Fields& fields) {
 // Two fields beside each other, each under its label.
 void two_fields(Ui& ui, Fields& fields) {
   const float width = std::floor((ImGui::GetContentRegionAvail().x - ui.px(12)) / 2);
-  const auto field = [&](const char* label, const char* name, std::string& text, const char* hint) {
-    ImGui::BeginGroup();
+  const ImVec2 at = ImGui::GetCursorPos();
+  const auto field = [&](float x, const char* label, const char* name, std::string& text, const char* hint) {
+    ImGui::SetCursorPos({x, at.y});
     ImGui::TextUnformatted(label);
+    ImGui::SetCursorPosX(x);
     ImGui::SetNextItemWidth(width);
     ImGui::PushID(name);
     ImGui::InputTextWithHint("##field", hint, &text);
     ImGui::PopID();
     ui.thing(name);
-    ImGui::EndGroup();
   };
-  field("Steps", "dialog steps", fields.steps, "all; or 3..9");
-  ImGui::SameLine(0, ui.px(12));
-  field("Size", "dialog size", fields.size, "1120x700");
+  field(at.x, "Steps", "dialog steps", fields.steps, "all; or 3..9");
+  field(at.x + width + ui.px(12), "Size", "dialog size", fields.size, "1120x700");
 }
 
 void draw_options(Ui& ui, Fields& fields) {

@@ -1,6 +1,7 @@
 // How Blossom looks and moves; what is changed is seen at once.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "player/ui/dialog.hpp"
 #include "player/ui/panel.hpp"
@@ -37,6 +38,17 @@ void themes(Ui& ui) {
   }
 }
 
+// As its speakers call it.
+std::string name_of_language(const std::string& language) {
+  static const std::map<std::string, const char*> names{
+      {"cs", "Čeština"}, {"da", "Dansk"},     {"de", "Deutsch"},   {"en", "English"},  {"es", "Español"},
+      {"fi", "Suomi"},   {"fr", "Français"},  {"hu", "Magyar"},    {"it", "Italiano"}, {"nl", "Nederlands"},
+      {"nb", "Norsk"},   {"pl", "Polski"},    {"pt", "Português"}, {"ro", "Română"},   {"sv", "Svenska"},
+      {"tr", "Türkçe"},  {"uk", "Українська"}};
+  const auto found = names.find(language);
+  return found != names.end() ? found->second : language;
+}
+
 // Of the lesson that is open, if it has several; a lesson without the language one reads is shown in its own.
 void languages(Ui& ui) {
   const auto all = ui.player().languages();
@@ -46,7 +58,7 @@ void languages(Ui& ui) {
   for (const std::string& each : all) {
     if (each != all.front()) ImGui::SameLine();
     const bool on = known ? ui.player().language() == each : each == all.front();
-    if (ImGui::RadioButton(each.c_str(), on))
+    if (ImGui::RadioButton(name_of_language(each).c_str(), on))
       ui.send([each](Player& player) { player.settings.language = each; });
     ui.thing("settings language " + each);
   }

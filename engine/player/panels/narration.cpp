@@ -47,7 +47,8 @@ double wanted(const Ui& ui, double width) {
   if (session.recording().graph().phases().size() > 0) height += 20;
   if (!session.words().lesson.empty()) height += 44;
   // The picture above is not to jump with every step's words, where there is room for some more.
-  return ui.height() < 560 ? height : std::max(height, 84.0);
+  const bool tight = ui.height() < 560 || !ui.player().sliders().empty();
+  return tight ? height : std::max(height, 84.0);
 }
 
 }  // namespace

@@ -13,10 +13,11 @@ namespace {
 
 constexpr double row_height = 34;    // units
 constexpr double least_width = 330;  // of a slider with its words
+constexpr double tight_width = 190;  // where there is little height
 
 int columns_for(const Ui& ui, double width) {
   const auto count = static_cast<int>(ui.player().sliders().size());
-  return std::clamp(static_cast<int>(width / least_width), 1, std::max(count, 1));
+  return std::clamp(static_cast<int>(width / (ui.height() < 460 ? tight_width : least_width)), 1, std::max(count, 1));
 }
 
 // On its steps, which begin at `from`; without steps on hundredths of the way.
@@ -65,6 +66,8 @@ void take_keys(Ui& ui, std::size_t which, const Slider& slider) {
   if (pressed(ImGuiKey_RightArrow)) by = 1;
   if (pressed(ImGuiKey_PageDown)) by = -10;
   if (pressed(ImGuiKey_PageUp)) by = 10;
+  const bool taken = by != 0 || pressed(ImGuiKey_Home) || pressed(ImGuiKey_End);
+  if (taken) ImGui::NavMoveRequestCancel();  // the focus stays
   if (by != 0) ui.send([which, by](Player& p) { p.slide_by(which, by); });
   if (pressed(ImGuiKey_Home)) ui.send([which, to = slider.from](Player& p) { p.slide(which, to); });
   if (pressed(ImGuiKey_End)) ui.send([which, to = slider.to](Player& p) { p.slide(which, to); });
@@ -96,7 +99,7 @@ void draw_slider(Ui& ui, std::size_t which, float width) {
   const std::string from = words_of(player, slider.from), to = words_of(player, slider.to);
   const float from_width = ImGui::CalcTextSize(from.c_str()).x, to_width = ImGui::CalcTextSize(to.c_str()).x;
   const float small_y = middle - ImGui::GetFontSize() / 2;
-  const float track_at = at.x + width * 0.42f + ui.px(14), end = at.x + width - ui.px(12);
+  const float track_at = at.x + width * 0.42f + ui.px(14), end = at.x + width;
   list.AddText({track_at, small_y}, ui.ink(Role::text_quiet), from.c_str());
   list.AddText({end - to_width, small_y}, ui.ink(Role::text_quiet), to.c_str());
   ImGui::PopFont();
@@ -128,16 +131,21 @@ bool refused(const Player& player) { return player.slide_refused().slider < play
 void draw(Ui& ui) {
   const Player& player = ui.player();
   const float room = ImGui::GetContentRegionAvail().x;
+  // Tab goes from one to the next, and shows where it came.
+  ImGui::PushItemFlag(ImGuiItemFlags_Inputable, true);
+  if (ImGui::IsWindowFocused() && pressed(ImGuiKey_Tab)) ImGui::GetCurrentContext()->NavDisableHighlight = false;
   // Back to where the lesson has them.
   const bool edited = player.session()->edited();
   const float reset = edited ? ImGui::CalcTextSize("Reset").x + 2 * ImGui::GetStyle().FramePadding.x + ui.px(12) : 0;
   const int columns = columns_for(ui, ui.units(room - reset));
-  const float width = std::floor((room - reset) / static_cast<float>(columns));
+  const float between = ui.px(28);
+  const float width =
+      std::floor((room - reset - static_cast<float>(columns - 1) * between) / static_cast<float>(columns));
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   for (std::size_t i = 0; i < player.sliders().size(); ++i) {
     const auto column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
-    ImGui::SetCursorScreenPos(
-        {origin.x + static_cast<float>(column) * width, origin.y + static_cast<float>(row) * ui.px(row_height)});
+    ImGui::SetCursorScreenPos({origin.x + static_cast<float>(column) * (width + between),
+                               origin.y + static_cast<float>(row) * ui.px(row_height)});
     draw_slider(ui, i, width);
   }
   if (edited) {
@@ -147,6 +155,7 @@ void draw(Ui& ui) {
     if (ui.button("Reset", "sliders reset", true, "Back to the lesson's numbers")) ui.act("edit.revert");
     ImGui::SetCursorScreenPos(next);
   }
+  ImGui::PopItemFlag();
   if (!refused(player)) return;
   dialog_warning(ui, player.slide_refused().why);
   ui.thing("sliders refused");
@@ -155,7 +164,7 @@ void draw(Ui& ui) {
 double wanted(const Ui& ui, double width) {
   const auto count = static_cast<int>(ui.player().sliders().size());
   const int columns = columns_for(ui, width - 24 - (ui.player().session()->edited() ? 70 : 0));
-  return 14 + row_height * ((count + columns - 1) / columns) + (refused(ui.player()) ? 22 : 0);
+  return 20 + row_height * ((count + columns - 1) / columns) + (refused(ui.player()) ? 22 : 0);
 }
 
 bool relevant(const Player& player) { return !player.sliders().empty(); }

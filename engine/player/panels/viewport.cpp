@@ -325,11 +325,12 @@ void draw(Ui& ui) {
   handle_mouse(ui, mouse, spots);
   draw_held(ui, mouse, low, high);
   if (asks && player.held() == nullptr) {
-    const std::string name = player.asks_place()
-                                 ? session.prediction()->questions()[*player.asked()].name
-                                 : player.checkpoints().item(*player.checkpoint()).checkpoint.value;
+    const std::string name = player.asks_place() ? session.prediction()->questions()[*player.asked()].name
+                                                 : player.checkpoints().item(*player.checkpoint()).checkpoint.value;
     const ImVec2 corner{origin.x + ui.px(2), origin.y + room.y - ui.px(2)};
-    draw_tag(ui, *ImGui::GetWindowDrawList(), corner, "Where will " + name + " be? Click there.", Role::text,
+    const Algorithm& algorithm = session.recording().source().algorithm_at(session.step());
+    const std::string shown = unicode_text(typeset_text(name, algorithm));
+    draw_tag(ui, *ImGui::GetWindowDrawList(), corner, "Where will " + shown + " be? Click there.", Role::text,
              {corner.x, low.y}, {high.x, corner.y});
   }
 }

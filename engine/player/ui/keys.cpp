@@ -51,7 +51,8 @@ std::string key_text(const Event& event) {
 
 // Panels with text fields: in them Tab walks from field to field.
 bool has_fields(std::string_view panel) {
-  return panel == "inputs" || panel == "predict" || panel == "checkpoint" || panel == "make" || panel == "shape" || panel == "place";
+  return panel == "inputs" || panel == "predict" || panel == "checkpoint" || panel == "sliders" || panel == "make" ||
+         panel == "shape" || panel == "place";
 }
 
 bool is_arrow(std::string_view key) { return key == "Left" || key == "Right" || key == "Up" || key == "Down"; }
@@ -82,6 +83,14 @@ std::string reason_against(const Player& player, std::string_view id) {
   if (id == "predict.finish") return "The answers are marked already.";
   if (one_of({"step.forward", "step.over", "step.out", "step.last"})) return "This is the last step.";
   if (one_of({"step.back", "step.first"})) return "This is the first step.";
+  if (id == "lesson.next_scene" || id == "lesson.previous_scene")
+    return player.scene_count() < 2    ? "There is only one scene."
+           : id == "lesson.next_scene" ? "This is the last scene."
+                                       : "This is the first scene.";
+  if (id == "lesson.language") return "There is only one language here.";
+  if (id == "lesson.skip") return "Nothing is asked here that is open.";
+  if (id.starts_with("lesson.")) return "This lesson asks nothing.";
+  if (id == "file.export_lesson") return "Something is being exported already.";
   if (id == "step.next_mark") return "No beat and no bookmark follows.";
   if (id == "step.previous_mark") return "No beat and no bookmark comes before.";
   if (id == "edit.undo") return "Nothing has been changed.";

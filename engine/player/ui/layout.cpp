@@ -13,7 +13,7 @@ constexpr double lowest_main = 110;    // height
 constexpr double least_foot = 56;      // height
 constexpr double least_window = 330;   // height
 constexpr double roomy_main = 150;     // what the strip below leaves of it
-constexpr double roomy_height = 460;   // of the side: enough for several panels above the tabs
+constexpr double roomy_height = 400;   // of the side: enough for several panels above the tabs
 constexpr double least_stacked = 120;  // height of all panels above the tabs
 
 using Wanted = std::function<double(const Panel&, double width)>;
