@@ -14,6 +14,20 @@ using Level = TextRun::Level;
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\''; }  // let's
 
+// "A curve", "I see": a word that begins a sentence, not the name of a value. "A is", "A and B" are about a value.
+bool is_little_word(std::string_view text, std::size_t begin, std::size_t end) {
+  if (end != begin + 1 || (text[begin] != 'A' && text[begin] != 'I')) return false;
+  if (end == text.size() || (text[end] != ' ' && text[end] != '\n')) return false;
+  std::size_t stop = end + 1;
+  while (stop < text.size() && std::islower(static_cast<unsigned char>(text[stop])) != 0) ++stop;
+  const std::string_view next = text.substr(end + 1, stop - end - 1);
+  static constexpr std::array<std::string_view, 6> after_names{"is", "and", "or", "to", "has", "lies"};
+  if (next.size() < 2 || std::ranges::find(after_names, next) != after_names.end()) return false;
+  const std::size_t before = text.substr(0, begin).find_last_not_of(" \n\"(");
+  return text[begin] == 'I' || before == std::string_view::npos ||
+         std::string_view(".:!?").find(text[before]) != std::string_view::npos;
+}
+
 std::optional<std::string_view> letter_of(std::string_view symbol) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> letters{
       {{"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"Ubar", "Ū"}}};
@@ -115,9 +129,9 @@ RichText typeset_text(std::string_view text, const Algorithm& algorithm) {
         after = stop + 1;
       }
     }
-    // A word is a name when it has indices, is a Greek letter, or is a single letter of the algorithm's table ("a" is
-    // not).
-    const bool single = symbol.size() == 1 && algorithm.spec({Symbol::of(symbol), {0, 0}, 0}) != nullptr;
+    // A word is a name when it has indices, is a Greek letter, or is a single letter of the algorithm's table.
+    const bool single = symbol.size() == 1 && algorithm.spec({Symbol::of(symbol), {0, 0}, 0}) != nullptr &&
+                        !is_little_word(text, i, end);
     if (indices.empty() && !letter_of(symbol) && !single && !is_coordinate(symbol)) {
       i = end;
       continue;

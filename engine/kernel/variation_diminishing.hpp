@@ -54,11 +54,11 @@ struct SignChanges {
   }
 };
 
-// The middle of two points
+// The middle of two points: a blend whose parameter is in the middle of the two arguments they do not share
 struct Midpoint {
   static constexpr std::string_view name = "midpoint";
   static constexpr std::string_view formula = "({0} + {1}) / 2";
-  static constexpr Polar polar = Polar::none;
+  static constexpr Polar polar = Polar::blend;
   template <Scalar S>
   static HPoint<S> apply(const HPoint<S>& A, const HPoint<S>& B) {
     const S two(2);
@@ -120,6 +120,8 @@ std::vector<Curve<typename R::Number>> variation_diminishing(const Curve<typenam
   const auto A = rec.input("L"_v(0), line.points[0]);
   const auto B = rec.input("L"_v(1), line.points[1]);
   const auto P = rec.inputs("Q"_v, 0, std::span<const HPoint<S>>(curve.points));
+  if constexpr (R::recording)
+    for (int i = 0; i <= n; ++i) rec.polar_bezier(P[i].id, i, n);
 
   variation::Points<R> Q;
   Q.append(P, 0, n + 1);

@@ -162,7 +162,8 @@ Diagnostics check_links(const JsonDocument& document, const CourseIndex& index, 
       const auto here = index.exercises(folder);
       known.insert(known.end(), here.begin(), here.end());
     }
-    at.error("no exercise beside this file, in ../exercises or in the course has the id " + excerpt(id) + meant(id, known));
+    at.error("no exercise beside this file, in ../exercises or in the course has the id " + excerpt(id) +
+             meant(id, known));
   });
   return diagnostics;
 }

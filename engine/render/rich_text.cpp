@@ -11,6 +11,7 @@ namespace {
 using Level = TextRun::Level;
 
 constexpr double script_size = 0.7, sub_drop = 0.22, super_rise = 0.38, line_distance = 1.4;
+constexpr double script_clearance = 0.186;  // between the ink of a pair of scripts, as formulas have it (math_layout.cpp)
 constexpr double line_clearance = 0.12;  // between the lowest and the highest of lines with tall formulas
 constexpr double display_room = 0.25;    // above and below a formula on a line of its own
 
@@ -40,7 +41,10 @@ class LineSetter {
     const bool stacks = script && previous_ != Level::base && previous_ != piece.level;
     const double size = script ? size_ * script_size : size_;
     const double start = stacks ? script_start_ : pen_;
-    const double rise = piece.level == Level::sub ? -sub_drop : piece.level == Level::super ? super_rise : 0;
+    if (!script) parted_ = 0;
+    const double rise = piece.level == Level::sub     ? -sub_drop - parted_
+                        : piece.level == Level::super ? super_rise + parted_
+                                                      : 0;
     double width = fonts_->width(piece.style, piece.text) * size;
     if (!runs_.empty()) runs_.back().text += blanks_;  // so that text copied from a picture has its blanks
     const bool joins = !runs_.empty() && !script && !std::exchange(sealed_, false) && runs_.back().size == size &&
@@ -52,8 +56,8 @@ class LineSetter {
     } else {
       runs_.push_back({piece.text, start, -rise * size_, size, piece.style});
     }
-    top_ = std::min(top_, -rise * size_ - Fonts::ascent * size);
-    bottom_ = std::max(bottom_, -rise * size_ + Fonts::descent * size);
+    reach(runs_.back().baseline, size);
+    if (stacks) part_scripts();
     if (!script || previous_ == Level::base) script_start_ = start;
     pen_ = stacks ? std::max(pen_, start + width) : start + width;
     previous_ = script ? piece.level : Level::base;
@@ -114,11 +118,34 @@ class LineSetter {
   }
 
  private:
+  void reach(double baseline, double size) {
+    top_ = std::min(top_, baseline - Fonts::ascent * size);
+    bottom_ = std::max(bottom_, baseline + Fonts::descent * size);
+  }
+
+  // The last two runs are a subscript and a superscript: half of the room that is missing between them for each.
+  void part_scripts() {
+    GlyphRun &first = runs_[runs_.size() - 2], &second = runs_.back();
+    GlyphRun &above = first.baseline < second.baseline ? first : second, &below = &above == &first ? second : first;
+    double upper_end = -1e9, lower_end = 1e9;
+    for (const char32_t c : decode_utf8(above.text))
+      upper_end = std::max(upper_end, above.baseline - fonts_->ink(above.style, c).bottom * above.size);
+    for (const char32_t c : decode_utf8(below.text))
+      lower_end = std::min(lower_end, below.baseline - fonts_->ink(below.style, c).top * below.size);
+    const double missing = std::max(0.0, script_clearance * size_ - (lower_end - upper_end));
+    parted_ += missing / 2 / size_;
+    above.baseline -= missing / 2;
+    below.baseline += missing / 2;
+    reach(above.baseline, above.size);
+    reach(below.baseline, below.size);
+  }
+
   const Fonts* fonts_;
   double size_;
   std::vector<GlyphRun> runs_;
   std::string blanks_;  // not yet followed by letters
   double pen_ = 0, script_start_ = 0;
+  double parted_ = 0;  // how much farther from the base line scripts stand because they are a pair, in ems
   Level previous_ = Level::base;
   double top_ = 0, bottom_ = 0;
   std::vector<TextBar> bars_;

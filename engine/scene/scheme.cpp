@@ -60,14 +60,18 @@ struct Builder {
   }
 
   // A point comes from points, wherever they were made. A number comes from those of the scheme alone (the knots beside
-  // them are no cells), so that the first one of all stands in column 0.
-  void add_made(const TraceGraph& graph, ValueId v) {
+  // them are no cells), so that the first one of all stands in column 0; it may be given, as the table says.
+  void add_made(const TraceGraph& graph, const Algorithm& algorithm, ValueId v) {
     const bool is_point = graph.value(v).kind == ValueKind::point;
     std::vector<std::size_t> from;
     int column = is_point ? 1 : 0;
     for (const ValueId o : graph.operands(v)) {
       const auto known = index.find(o);
-      if (is_point ? graph.value(o).kind != ValueKind::point : known == index.end()) continue;
+      const auto is_given_cell = [&] {
+        const ValueSpec* spec = graph.is_input(o) ? algorithm.spec(graph.value(o).name) : nullptr;
+        return spec != nullptr && spec->tableau;
+      };
+      if (is_point ? graph.value(o).kind != ValueKind::point : known == index.end() && !is_given_cell()) continue;
       from.push_back(known != index.end() ? known->second : add(o, 0));
       column = std::max(column, cells[from.back()].column + 1);
     }
@@ -151,7 +155,8 @@ Scheme make_scheme(const StepSource& source, std::uint32_t part) {
       const bool is_cell = record.kind == ValueKind::point || (by_table && record.kind == ValueKind::scalar);
       if (!is_cell || record.rule == nullptr) continue;
       const ValueSpec* spec = by_table ? algorithm->spec(record.name) : nullptr;
-      if (by_table ? spec != nullptr && spec->tableau : is_elevation(*record.rule)) builder.add_made(graph, v);
+      if (by_table ? spec != nullptr && spec->tableau : is_elevation(*record.rule))
+        builder.add_made(graph, *algorithm, v);
     }
   }
   if (builder.cells.empty()) return scheme;

@@ -114,6 +114,14 @@ Exact usual_number(const InputSpec& spec, const SceneObject* thing) {
   return (a + b) / Exact(2);
 }
 
+std::vector<Exact> evenly_inside(int count, const SceneObject* thing) {
+  const auto domain = thing != nullptr ? domain_of(thing->geometry, 0) : std::nullopt;
+  const auto [a, b] = domain.value_or(std::pair(Exact(0), Exact(1)));
+  std::vector<Exact> numbers;
+  for (int i = 1; i <= count; ++i) numbers.push_back(a + (b - a) * Exact::ratio(i, count + 1));
+  return numbers;
+}
+
 std::optional<InputValue<Exact>> usual_value(const InputSpec& spec, const SceneObject* thing) {
   switch (spec.type) {
     case Type::number:
@@ -122,14 +130,8 @@ std::optional<InputValue<Exact>> usual_value(const InputSpec& spec, const SceneO
       return spec.at_least;
     case Type::choice:
       return std::string(spec.choices.front());
-    case Type::numbers: {  // evenly inside the domain
-      const auto domain = thing != nullptr ? domain_of(thing->geometry, 0) : std::nullopt;
-      const auto [a, b] = domain.value_or(std::pair(Exact(0), Exact(1)));
-      const int count = std::max(spec.at_least, 1);
-      std::vector<Exact> numbers;
-      for (int i = 1; i <= count; ++i) numbers.push_back(a + (b - a) * Exact::ratio(i, count + 1));
-      return numbers;
-    }
+    case Type::numbers:
+      return evenly_inside(std::max(spec.at_least, 1), thing);
     default:
       return std::nullopt;
   }
@@ -158,8 +160,11 @@ std::vector<Exact> places_along(const Geometry& geometry, int direction) {
 
 std::vector<InputValue<Exact>> other_values(const InputSpec& spec, const SceneObject& thing) {
   std::vector<InputValue<Exact>> values;
-  if (spec.type == Type::integer) {
-    constexpr int tries = 30;
+  constexpr int tries = 30;
+  if (spec.type == Type::numbers) {  // more of them
+    for (int i = 1; i < tries && spec.at_least + i <= spec.at_most; ++i)
+      values.emplace_back(evenly_inside(spec.at_least + i, &thing));
+  } else if (spec.type == Type::integer) {
     for (int i = 0; i < tries && spec.at_least + i <= spec.at_most; ++i) values.emplace_back(spec.at_least + i);
   } else if (spec.type == Type::number) {
     for (const int direction : {spec.name == "v" ? 1 : 0, spec.name == "v" ? 0 : 1})

@@ -172,15 +172,26 @@ std::vector<PolarLabel<S>> Trace<S>::polar_labels() const {
       continue;
     }
     // Two points of a surface are of one row or of one column: the arguments in the other direction are the same.
-    const bool along_v = labels[from[1]].v != labels[from[2]].v;
-    if (along_v && labels[from[1]].u != labels[from[2]].u) continue;
-    const auto& A = along_v ? labels[from[1]].v : labels[from[1]].u;
-    const auto& B = along_v ? labels[from[2]].v : labels[from[2]].u;
+    const auto& first = labels[from[from.size() - 2]];  // behind the ratio, if there is one
+    const auto& second = labels[from[from.size() - 1]];
+    const bool along_v = first.v != second.v;
+    if (along_v && first.u != second.u) continue;
+    const auto& A = along_v ? first.v : first.u;
+    const auto& B = along_v ? second.v : second.u;
     if (A.empty() || B.empty()) continue;
-    (along_v ? labels[v].u : labels[v].v) = along_v ? labels[from[1]].u : labels[from[1]].v;
+    (along_v ? labels[v].u : labels[v].v) = along_v ? first.u : first.v;
     auto& label = along_v ? labels[v].v : labels[v].u;
     if (values_[v].rule->polar == Polar::merge) {
       std::set_union(A.begin(), A.end(), B.begin(), B.end(), std::back_inserter(label));
+    } else if (from.size() == 2) {
+      // A midpoint: f(A, a) and f(A, b) make f(A, (a + b) / 2).
+      std::vector<S> a, b;
+      std::set_difference(A.begin(), A.end(), B.begin(), B.end(), std::back_inserter(a));
+      std::set_difference(B.begin(), B.end(), A.begin(), A.end(), std::back_inserter(b));
+      if (a.size() != 1 || b.size() != 1) continue;
+      const S u = (a[0] + b[0]) / S(2);
+      std::set_intersection(A.begin(), A.end(), B.begin(), B.end(), std::back_inserter(label));
+      label.insert(std::upper_bound(label.begin(), label.end(), u), u);
     } else {
       // The new argument is the parameter itself: what the ratio was made from, or, on [0, 1], the ratio.
       const ValueId ratio = from[0];

@@ -80,12 +80,16 @@ Curve<Exact> row(const Surface<Exact>& surface, int i) {
 }  // namespace
 
 // Whether a point is a value of some blossom: it was given as a control point, or is made from such points by a rule
-// that says what becomes of their labels. Data to be fitted, frames and network crossings are none.
+// that says what becomes of their labels. Data to be fitted, frames and network crossings are none, nor are coefficients
+// of powers and points of a line, which stand each for itself in the table.
 bool is_labelled(const Algorithm& algorithm, const TraceGraph& trace, const std::vector<PolarLabel<Exact>>& labels,
                  ValueId v) {
   if (trace.value(v).kind != ValueKind::point) return false;
-  if (trace.is_input(v))
+  if (trace.is_input(v)) {
+    const ValueSpec* spec = algorithm.spec(trace.value(v).name);
+    if (spec != nullptr && spec->draw == ValueSpec::Draw::point) return false;
     return algorithm.family != Family::fitting && algorithm.family != Family::construction && !algorithm.lifts;
+  }
   if (trace.value(v).rule->polar == Polar::none) return false;
   return std::ranges::all_of(trace.operands(v), [&](ValueId from) {
     const ValueKind kind = trace.value(from).kind;

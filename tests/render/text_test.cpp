@@ -66,6 +66,27 @@ TEST_CASE("A superscript after a subscript stands above it, at the same base") {
   }
 }
 
+TEST_CASE("A subscript and the superscript above it keep clear of each other") {
+  for (const char* sub : {"4", "i", "12", "k-p+1"})
+    for (const char* super : {"(1)", "2", "(r-1)"}) {
+      INFO(sub << " below " << super);
+      const auto block = set_text(fonts(), point_name("P", sub, super), 20, TextAlign::left);
+      REQUIRE(block.runs.size() == 3);
+      const auto &below = block.runs[1], &above = block.runs[2];
+      double ink_of_below = 1e9, ink_of_above = -1e9;
+      for (const char32_t c : decode_utf8(below.text))
+        ink_of_below = std::min(ink_of_below, below.baseline - fonts().ink(below.style, c).top * below.size);
+      for (const char32_t c : decode_utf8(above.text))
+        ink_of_above = std::max(ink_of_above, above.baseline - fonts().ink(above.style, c).bottom * above.size);
+      CHECK(ink_of_below - ink_of_above >= 0.18 * 20);
+      CHECK(block.top <= above.baseline - Fonts::ascent * above.size);
+      CHECK(block.bottom >= below.baseline + Fonts::descent * below.size);
+    }
+  // One alone stands where it always does.
+  const auto alone = set_text(fonts(), {{"P", TextRun::Level::base, true}, {"4", TextRun::Level::sub}}, 20, TextAlign::left);
+  CHECK(alone.runs[1].baseline == Approx(4.4));
+}
+
 TEST_CASE("Text is wrapped at blanks, and no line is wider than asked") {
   const std::string words =
       "Where the two parts meet, the polygon of the next level begins, and so on to the last point.";

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "algorithms/typeset.hpp"
+#include "lesson/prose.hpp"
 #include "scene/panels.hpp"
 #include "scene/shipped_lessons.hpp"
 
@@ -19,18 +20,22 @@ bool shows(const View& view, const std::string& text) {
   return std::ranges::any_of(view.labels, [&](const Label& label) { return plain_text(label.text) == text; });
 }
 
-// The cells of the triangular scheme: level r > 0, and the control points that level 1 reads.
+// The cells of the triangular scheme: what the table puts there, and the points it is made from.
 std::set<ValueId> scheme_of(const StepSource& source) {
   const auto& graph = *source.graph;
-  std::set<ValueId> all, read;
-  for (ValueId v = 0; v < graph.value_count(); ++v) {
+  const auto in_table = [&](ValueId v) {
     const auto* spec = source.algorithm->spec(graph.value(v).name);
-    if (spec == nullptr || !spec->tableau || graph.value(v).name.arity != 2 || !graph.scope(v).empty()) continue;
-    all.insert(v);
-    for (const ValueId o : graph.operands(v)) read.insert(o);
+    return spec != nullptr && spec->tableau;
+  };
+  std::set<ValueId> cells;
+  for (ValueId v = 0; v < graph.value_count(); ++v) {
+    if (graph.is_input(v) || !in_table(v) || !graph.scope(v).empty()) continue;
+    cells.insert(v);
+    for (const ValueId o : graph.operands(v))
+      if (in_table(o) || (graph.value(v).kind == ValueKind::point && graph.value(o).kind == ValueKind::point))
+        cells.insert(o);
   }
-  std::erase_if(all, [&](ValueId v) { return graph.value(v).name.index[0] == 0 && !read.contains(v); });
-  return all;
+  return cells;
 }
 
 }  // namespace
@@ -40,11 +45,12 @@ TEST_CASE("Each page says its title, its step and its narration") {
     const Scene scene = lesson.page(step);
     REQUIRE(scene.views.size() >= 3);
     CHECK(scene.title == lesson.lesson.title.own());
-    CHECK(scene.description == lesson.narration(step));
+    const Prose said = read_prose(lesson.narration(step));
+    CHECK(scene.description == blossom::plain_text(said));
     const View& page = scene.views[0];
     CHECK(shows(page, lesson.lesson.title.own()));
     CHECK(shows(page, "step " + std::to_string(step) + " / " + std::to_string(lesson.step_count() - 1)));
-    CHECK(shows(page, typeset_text(lesson.narration(step), lesson.source.algorithm_at(step))));
+    CHECK(shows(page, rich_text(said, lesson.source.algorithm_at(step))));
   });
 }
 

@@ -33,6 +33,12 @@ std::set<ValueId> cells_made_in_part(const StepSource& source, std::uint32_t ste
   return cells;
 }
 
+bool is_in_table(const StepSource& source, ValueId v) {
+  const ValueRecord& record = source.graph->value(v);
+  const ValueSpec* spec = source.algorithm_at(record.step).spec(record.name);
+  return spec != nullptr && spec->tableau;
+}
+
 }  // namespace
 
 TEST_CASE("A step's scheme is that of the part it is in, with the points it starts from") {
@@ -46,7 +52,7 @@ TEST_CASE("A step's scheme is that of the part it is in, with the points it star
     std::set<ValueId> expected = made;
     for (const ValueId v : made)
       for (const ValueId o : graph.operands(v))
-        if (graph.value(o).kind == ValueKind::point) expected.insert(o);
+        if (graph.value(o).kind == ValueKind::point || is_in_table(lesson.source, o)) expected.insert(o);
     std::set<ValueId> shown;
     for (const Spot& spot : sheet.spots) {
       CHECK(spot.link.kind == Link::Kind::value);
@@ -74,6 +80,22 @@ TEST_CASE("The basis functions are a triangle of numbers, which begins with the 
   CHECK(spot_named(sheet, "N[3][1]")->y < tip.y);
   CHECK(spot_named(sheet, "N[4][1]")->y > tip.y);
   CHECK(spot_named(sheet, "N[3][2]")->y == Approx(tip.y));
+}
+
+TEST_CASE("The Bernstein polynomials are a triangle that begins with the given one of degree 0") {
+  const auto lesson = prepare<Exact>("bernstein");  // degree 3
+  Sheet sheet;
+  add_tableau(sheet, lesson->source, 0, {}, 0, 0, scrolled);
+  CHECK(sheet.spots.size() == 10);
+  const auto* tip = spot_named(sheet, "B[0][0]");
+  REQUIRE(tip != nullptr);
+  for (int r = 1; r <= 3; ++r)
+    for (int i = 0; i <= r; ++i) {
+      const auto* cell = spot_named(sheet, "B[" + std::to_string(i) + "][" + std::to_string(r) + "]");
+      REQUIRE(cell != nullptr);
+      CHECK(tip->x + tip->width < cell->x);
+      CHECK(cell->y - tip->y == Approx((i - 0.5 * r) * (spot_named(sheet, "B[1][1]")->y - spot_named(sheet, "B[0][1]")->y)));
+    }
 }
 
 TEST_CASE("Inside skinning, elevation and knot insertion show their own schemes") {

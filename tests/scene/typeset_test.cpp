@@ -73,6 +73,28 @@ TEST_CASE("Words stay words") {
   CHECK(set("an unclosed [bracket and u_{").find("an unclosed [bracket and ") == 0);
 }
 
+TEST_CASE("A and I at the beginning of a sentence are words, where a value has their name") {
+  const auto set = [](std::string_view text) {
+    static const Algorithm table = [] {
+      Algorithm made;
+      made.id = "a_table";
+      made.values = {{"A", {}, "a point"}, {"I", {}, "an integral"}};
+      return made;
+    }();
+    return marked(typeset_text(text, table));
+  };
+  for (const std::string words : {"A curve is smooth.", "It ends. A line crosses it: A tangent, too.", "(A point)",
+                                  "Then I see\nA knot"}) {
+    INFO(words);
+    CHECK(set(words) == words);
+  }
+  CHECK(set("A = 3, and I = 4") == "*A* = 3, and *I* = 4");
+  CHECK(set("A is near. Go from A to B, past the point A there.") ==
+        "*A* is near. Go from *A* to B, past the point *A* there.");
+  CHECK(set("A, I") == "*A*, *I*");
+  CHECK(set("A u") == "*A* u");
+}
+
 TEST_CASE("A single knot is a small u, as in the formulas of books") {
   CHECK(set_name("U"_v(7), "de_boor") == "*u*_{7}");
   CHECK(set_name("U"_v(1, 7), "skinning") == "*u*_{1,7}");

@@ -22,6 +22,8 @@ Workspace one_of_each() {
       "points": [[[0, 0, 0], [0, 1, 0], [0, 2, 0]], [[1, 0, 1], [1, 1, 0], [1, 2, 0]], [[2, 0, 0], [2, 1, 0], [2, 2, 0]],
                  [[3, 0, 1], [3, 1, 0], [3, 2, 0]], [[4, 0, 1], [4, 1, 0], [4, 2, 1]]]}},
     {"name": "row", "points": [[0, 0], [1, 2], [3, 3], [5, 1], [6, 4], [8, 2]]},
+    {"name": "place", "points": [[1, 2]]},
+    {"name": "two", "points": [[0, 0], [3, 2]]},
     {"name": "net", "net": [[[0, 0, 0], [0, 1, 0], [0, 2, 1], [0, 3, 0]], [[1, 0, 1], [1, 1, 0], [1, 2, 0], [1, 3, 1]],
                             [[2, 0, 0], [2, 1, 1], [2, 2, 0], [2, 3, 0]], [[3, 0, 1], [3, 1, 0], [3, 2, 1], [3, 3, 0]]]},
     {"name": "b0", "curve": {"degree": 1, "points": [[0, 0, 0], [3, 0, 0]]}},
@@ -47,6 +49,8 @@ TEST_CASE("every algorithm can be applied to something, with parameters that do"
                                                       {"surface"},
                                                       {"row"},
                                                       {"net"},
+                                                      {"place"},
+                                                      {"plane", "two"},
                                                       {"bezier", "plane"},
                                                       {"bezier", "line"},
                                                       {"bezier", "bspline"},
@@ -65,6 +69,22 @@ TEST_CASE("every algorithm can be applied to something, with parameters that do"
     }
     INFO(algorithm->id << "\n" << tried);
     CHECK(made);
+  }
+}
+
+TEST_CASE("a polar form is offered with as many arguments as the curve's degree, inside of the domain") {
+  const Workspace scene = one_of_each();
+  for (const auto& [name, degree] : {std::pair("bezier", 3), std::pair("bspline", 2), std::pair("line", 1)}) {
+    const Recipe recipe = recipe_for(*find_algorithm("polar_form"), scene, named(scene, {name}));
+    const auto inputs = inputs_of(scene, recipe, scene.objects.size());
+    INFO(name << "\n" << to_string(inputs.diagnostics));
+    REQUIRE(inputs);
+    const auto& arguments = inputs->numbers("arguments");
+    CHECK(static_cast<int>(arguments.size()) == degree);
+    CHECK(std::ranges::is_sorted(arguments));
+    const auto domain = domain_of(inputs->curve("curve"), 0);
+    CHECK(domain->first < arguments.front());
+    CHECK(arguments.back() < domain->second);
   }
 }
 
