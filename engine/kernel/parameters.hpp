@@ -8,6 +8,7 @@
 //   universal    uniform knots first; then t_k is where the k-th basis function is largest (Lim 1999)
 
 #include <cmath>
+#include <numeric>
 
 #include "kernel/basis.hpp"
 #include "kernel/error.hpp"
@@ -90,7 +91,9 @@ struct Peak {
   static bool defined(int i, int p, std::span<const S> U) {
     return p >= 1 && p <= max_degree && i >= 0 && static_cast<std::size_t>(i + p) + 1 < U.size() &&
            std::is_sorted(U.begin(), U.end()) &&
-           U[static_cast<std::size_t>(i)] < U[static_cast<std::size_t>(i + p) + 1];
+           U[static_cast<std::size_t>(i)] < U[static_cast<std::size_t>(i + p) + 1] &&
+           std::isfinite(to_double(U[static_cast<std::size_t>(i)])) &&
+           std::isfinite(to_double(U[static_cast<std::size_t>(i + p) + 1]));
   }
 
  private:
@@ -105,10 +108,10 @@ struct Peak {
     };
     double low = u.front(), high = u.back();
     for (int round = 0; round < 60; ++round) {
-      const double middle = (low + high) / 2;
+      const double middle = std::midpoint(low, high);  // a sum of what somebody typed may overflow
       (slope(middle) > 0 ? low : high) = middle;
     }
-    return (low + high) / 2;
+    return std::midpoint(low, high);
   }
 };
 

@@ -21,6 +21,19 @@ glm::dvec3 unit_vector(int axis) {
   return e;
 }
 
+// The point at this one's height that is seen under `at`. Nothing when that plane is hardly more than a line.
+std::optional<glm::dvec3> to_level(const Camera& camera, ViewSize size, glm::dvec2 at, const glm::dvec3& through) {
+  const auto near = to_world(camera, size, at, through);
+  const auto far = to_world(camera, size, at, through - 0.1 * camera.height * axes_of(camera).toward);
+  if (!near || !far) return std::nullopt;
+  const glm::dvec3 ray = *far - *near;
+  if (std::abs(ray.z) < 0.05 * glm::length(ray)) return std::nullopt;
+  glm::dvec3 found = *near + (through.z - near->z) / ray.z * ray;
+  found.z = through.z;
+  if (!to_page(camera, size, found)) return std::nullopt;  // beyond the horizon
+  return found;
+}
+
 // As fine as a unit of the page, or a nice fraction of the domain.
 Exact parameter_at(double value, double per_unit, const Exact& begin, const Exact& end, bool snap) {
   return snap ? nearest_fraction(value, begin, end) : snapped(value, per_unit);
@@ -41,9 +54,12 @@ PointGrip::PointGrip(const Session& session, const PointAddress& address, const 
   start_ = affine(curve, address.point);
   from_ = to_dvec3(start_);
   dimension_ = curve.dimension;
+  const StepSource& source = session.recording().source();
+  if (const auto v = value_of(*source.graph, before_, address)) {
+    name_ = source.graph->name(*v);
+    from_ = source.points[*v].value_or(from_);
+  }
   on_page_ = to_page(camera, size, from_).value_or(mouse);
-  const TraceGraph& graph = session.recording().graph();
-  if (const auto v = value_of(graph, before_, address)) name_ = graph.name(*v);
 }
 
 std::optional<int> PointGrip::axis(glm::dvec2 mouse) const {
@@ -73,7 +89,10 @@ Point<Exact> PointGrip::place(glm::dvec2 mouse, const GripKeys& keys) const {
   const int along = keys.along ? axis(mouse).value_or(-1) : -1;
   if (mouse == mouse_) return start_;
   const auto there = [&](glm::dvec2 at) {
-    return along >= 0 ? to_line(camera_, size_, at, from_, unit_vector(along)) : to_world(camera_, size_, at, from_);
+    if (along >= 0) return to_line(camera_, size_, at, from_, unit_vector(along));
+    const bool level = dimension_ == 2 && camera_.kind == Camera::Kind::orbit;
+    const auto found = level ? to_level(camera_, size_, at, from_) : std::nullopt;
+    return found ? found : to_world(camera_, size_, at, from_);
   };
   const auto to = there(target), beside = to_world(camera_, size_, target + glm::dvec2{1, 0}, from_);
   const auto here = to_world(camera_, size_, target, from_);

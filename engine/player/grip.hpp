@@ -38,6 +38,7 @@ struct StuckGrip {
 };
 
 // A given control point: in the plane through it that faces the view, or along the axis that the drag runs most along.
+// A point of a plane curve that is seen in space stays at its height, and under the mouse.
 class PointGrip {
  public:
   // Precondition: the point has a place, which the camera sees.
@@ -60,7 +61,7 @@ class PointGrip {
   ViewSize size_;
   glm::dvec2 mouse_, on_page_;  // where it was taken; where the point was
   Point<Exact> start_;
-  glm::dvec3 from_;
+  glm::dvec3 from_;  // where it is drawn: that may be above the plane in which it is given
   int dimension_ = 2;
   double grid_ = 0;
 };

@@ -11,9 +11,9 @@ namespace {
 using Level = TextRun::Level;
 
 constexpr double script_size = 0.7, sub_drop = 0.22, super_rise = 0.38, line_distance = 1.4;
-constexpr double script_clearance = 0.186;  // between the ink of a pair of scripts, as formulas have it (math_layout.cpp)
-constexpr double line_clearance = 0.12;  // between the lowest and the highest of lines with tall formulas
-constexpr double display_room = 0.25;    // above and below a formula on a line of its own
+constexpr double script_clearance = 0.186;  // between the ink of a sub- and a superscript, as formulas have it
+constexpr double line_clearance = 0.12;     // between the lowest and the highest of lines with tall formulas
+constexpr double display_room = 0.25;       // above and below a formula on a line of its own
 
 struct Piece {  // of one run; without blanks
   std::string text;

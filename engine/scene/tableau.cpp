@@ -15,6 +15,7 @@ using parts::Box;
 constexpr double pitch = 58, cell_height = 44, gap = 74, cell_padding = 9;
 constexpr double name_size = 0.95, value_size = 0.86, weight_size = 0.84;
 // Fitted into a room.
+constexpr double name_height = 1.3;  // in ems: from the foot of a subscript to the top of its superscript
 constexpr double highest_row = 38, lowest_row = 15, narrowest_column = 34;
 
 // Where the cells of a scheme are on the sheet.
@@ -161,7 +162,9 @@ struct Setter {
     }
     const ValueRecord& record = source.graph->value(cell.value);
     RichText name = typeset_name(record.name, source.algorithm_at(record.step));
-    const double size = parts::size_to_fit(parts::ems(name), role, box.width, 0.9);
+    // In low rows the scripts of one name keep clear of the next one's.
+    const double highest = layout.row_height / parts::width_of(name_height, role, 1);
+    const double size = parts::size_to_fit(parts::ems(name), role, box.width, std::min(0.9, highest));
     parts::text(sheet.view, middle_x, layout.values ? middle_y - 2 : middle_y + 5, std::move(name), role, size,
                 Label::Placement::centre);
     if (!layout.values) return;

@@ -1,6 +1,7 @@
 #include "grader/page/student_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/utf8.hpp"
 
@@ -31,7 +32,8 @@ bool is_decimal(std::string_view typed) { return typed.find_first_of(".eE") != s
 // What came of decimals is shown in decimals.
 Exact shown(const Exact& x, bool decimal) {
   if (x.is_approximate() || (!decimal && x.to_string().size() <= longest_fraction) || x.is_integer()) return x;
-  return Exact::approximate(x.to_double());
+  const double near = x.to_double();
+  return std::isfinite(near) ? Exact::approximate(near) : x;
 }
 
 }  // namespace

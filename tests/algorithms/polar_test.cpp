@@ -80,8 +80,8 @@ Curve<Exact> row(const Surface<Exact>& surface, int i) {
 }  // namespace
 
 // Whether a point is a value of some blossom: it was given as a control point, or is made from such points by a rule
-// that says what becomes of their labels. Data to be fitted, frames and network crossings are none, nor are coefficients
-// of powers and points of a line, which stand each for itself in the table.
+// that says what becomes of their labels. Data to be fitted, frames and network crossings are none, nor are
+// coefficients of powers and points of a line, which stand each for itself in the table.
 bool is_labelled(const Algorithm& algorithm, const TraceGraph& trace, const std::vector<PolarLabel<Exact>>& labels,
                  ValueId v) {
   if (trace.value(v).kind != ValueKind::point) return false;

@@ -125,7 +125,7 @@ TEST_CASE("a handout has as many steps on a page as is asked for", "[export][pap
     const int pages = pages_of(exported("pdf", story, scratch.path(), per_page), scratch.path());
     CHECK(pages >= steps / per_page);
     CHECK(pages <= steps / per_page + 3);  // the head takes room of the first one
-    CHECK(pages < before);
+    CHECK(pages <= before);  // not always fewer: questions and long words take room, however small the pictures are
     before = pages;
   }
 }

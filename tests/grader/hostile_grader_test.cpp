@@ -101,6 +101,23 @@ TEST_CASE("numbers of 400 digits throughout cost a bounded amount of exact arith
   }
 }
 
+TEST_CASE("knots at the end of what a double holds have no place where a share is largest, and do no harm",
+          "[hostile]") {
+  const auto grader = grader_of(exercise_text(
+      "interpolation", R"({"points": [[0, 0], [1, 2], [3, 3], [5, 2], [6, 0], [7, 1]],
+      "degree": 3, "parametrization": "universal"})",
+      R"([{"value": "U", "points": 1}, {"value": "t[*]", "points": 1}])", R"(, "tolerance": {"decimals": 3})"));
+  for (
+      const std::string knots :
+      {R"(["1e308", "1e308", "1e308", "1e308", "1.2e308", "1.5e308", "1.7e308", "1.7e308", "1.7e308", "1.7e308"])",
+       R"(["-1.7e308", "-1.7e308", "-1.7e308", "-1.7e308", 0, "1.5e308", "1.7e308", "1.7e308", "1.7e308", "1.7e308"])"}) {
+    std::map<std::string, std::string> other{{"U", knots}};
+    for (const Part& part : grader->exercise().parts)
+      if (part.name != "U") other[part.name] = "5";
+    CHECK(graded_within_bounds(*grader, answers_text(all_answers(grader->exercise(), other))).score() < 1);
+  }
+}
+
 TEST_CASE("one long number at the beginning of a long computation is not carried on exactly", "[hostile]") {
   const auto grader = grader_of(exercise_text("de_casteljau", long_triangle(), R"([{"value": "P[*][*]", "points": 1}])",
                                               R"(, "tolerance": {"significant": 3})"));

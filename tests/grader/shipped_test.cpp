@@ -88,6 +88,20 @@ const std::map<std::string, std::string> shows_nowhere{
     {"own-weight whole-support", "on a Bezier curve all knots are 0 or 1"},
     {"projection neighbour-knot", "on a Bezier curve each ratio is u, whatever the level"},
     {"projection swapped-weights", "u = 1/2: both weights are the same, and the exercise is on lifting"},
+    {"coons-by-hand evenly-spaced", "on Bezier curves the means of the knots are evenly spaced"},
+    {"own-coons evenly-spaced", "on Bezier curves the means of the knots are evenly spaced"},
+    {"crease larger-span", "the knot is in the middle: both spans are the same"},
+    {"own-crease larger-span", "the knot is in the middle: both spans are the same"},
+    {"surface-knot-less swapped-weights", "the knot is in the middle: both weights are 1/2"},
+    {"own-surface-knot-less swapped-weights", "the knot is in the middle: both weights are 1/2"},
+    {"swung-frame height-scaled", "no scale is given: it is 1"},
+    {"own-swung height-scaled", "no scale is given: it is 1"},
+    {"translated one-weight", "the trajectory is polynomial: its weights are 1"},
+    {"own-translated one-weight", "the trajectory is polynomial: its weights are 1"},
+    {"turned-segment equal-weights", "points are typed without weights: the corners' places are right"},
+    {"own-turned-segment equal-weights", "points are typed without weights: the corners' places are right"},
+    {"vase-arcs equal-weights", "points are typed without weights: the corners' places are right"},
+    {"own-vase equal-weights", "points are typed without weights: the corners' places are right"},
 };
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST_CASE("A script that names what is not there fails at its line") {
 }
 
 TEST_CASE("A script whose expectation does not hold fails and says what is") {
-  const std::string opened = "open lessons/22-de-boor.json\nkey Right\n";
+  const std::string opened = "open tests/play/data/22-de-boor.json\nkey Right\n";
   check_fails(opened + "expect step 2\nshot after\n", "3:1", "expected step to be \"2\", not \"1\"");
   check_fails(opened + "expect-near step 3 1.5\n", "3:1", "not 1");
   check_fails(opened + "expect-near title 3 1\n", "3:1", "to be a number");
@@ -93,7 +93,7 @@ TEST_CASE("Pictures that cannot be written are a mistake") {
 
 TEST_CASE("What is opened or dropped and cannot be read keeps the old document and lists what is wrong") {
   const Scratch files;
-  const std::string lesson = read_all(fs::path(BLOSSOM_SOURCE_DIR) / "lessons/22-de-boor.json");
+  const std::string lesson = read_all(fs::path(BLOSSOM_SOURCE_DIR) / "tests/play/data/22-de-boor.json");
   std::string many = "{\"curve\": {\"degree\": 1, \"points\": [[0,0]";
   for (int i = 0; i < 300000; ++i) many += ",[1,2]";
   many += "]}, \"u\": 0}";
@@ -113,7 +113,7 @@ TEST_CASE("What is opened or dropped and cannot be read keeps the old document a
   };
   for (const char* verb : {"open", "drop"})
     for (const Hostile& bad : hostile) {
-      const Played played("open lessons/22-de-boor.json\nkey Right\nkey Right\n" + std::string(verb) + " \"" +
+      const Played played("open tests/play/data/22-de-boor.json\nkey Right\nkey Right\n" + std::string(verb) + " \"" +
                           bad.file +
                           "\"\nexpect title \"De Boor's algorithm: a point on a B-spline curve\"\nexpect step 2\n" +
                           "state after\nshot after\nkey Escape\nexpect problems \"\"\nkey Right\nexpect step 3\n");

@@ -104,7 +104,7 @@ TEST_CASE("The window opens, steps by real keys, pins and drags by a real mouse,
   if (!Screen::possible()) return;
   // `wait` until what goes away by itself has gone.
   const Rehearsal rehearsal(R"(size 1280 720
-open lessons/22-de-boor.json
+open tests/play/data/22-de-boor.json
 move "timeline position"
 things opened
 shot opened
@@ -128,7 +128,7 @@ wait 6
 shot undone
 )");
   Screen screen(width, height);
-  Window window(screen, {"05"});
+  Window window(screen, {"tests/play/data/22-de-boor.json"});
   const auto neutral = rehearsal.middle("opened", "timeline position");
   screen.move(neutral.x, neutral.y);
   window.check_shows(rehearsal.picture("opened"), "opened");
@@ -225,9 +225,9 @@ shot back
 TEST_CASE("The window does nothing while nothing happens") {
   if (!Screen::possible()) return;
   const Rehearsal rehearsal(
-      "size 1280 720\nopen lessons/22-de-boor.json\nmove \"timeline position\"\nthings t\nshot s\n");
+      "size 1280 720\nopen tests/play/data/22-de-boor.json\nmove \"timeline position\"\nthings t\nshot s\n");
   Screen screen(width, height);
-  Window window(screen, {"05"});
+  Window window(screen, {"tests/play/data/22-de-boor.json"});
   const auto neutral = rehearsal.middle("t", "timeline position");
   screen.move(neutral.x, neutral.y);
   window.check_shows(rehearsal.picture("s"), "idle");
@@ -244,7 +244,7 @@ TEST_CASE("The window does nothing while nothing happens") {
 TEST_CASE("A window that the system ends keeps where one was, and what one has edited for the next start") {
   if (!Screen::possible()) return;
   const Rehearsal rehearsal(R"(size 1280 720
-open lessons/22-de-boor.json
+open tests/play/data/22-de-boor.json
 move "timeline position"
 things opened
 shot opened
@@ -254,7 +254,7 @@ drag "viewport P[0][3]" by -60 40
 shot dragged
 )");
   Screen screen(width, height);
-  Window window(screen, {"05"});
+  Window window(screen, {"tests/play/data/22-de-boor.json"});
   const auto neutral = rehearsal.middle("opened", "timeline position");
   screen.move(neutral.x, neutral.y);
   window.check_shows(rehearsal.picture("opened"), "opened");
@@ -275,7 +275,7 @@ shot dragged
 TEST_CASE("Without a display the player says what to do instead") {
   const Environment display("DISPLAY", std::nullopt), wayland("WAYLAND_DISPLAY", std::nullopt);
   const Scratch scratch;
-  const Ended ended = test::blossom({"play", "05", "--state", scratch / "state"});
+  const Ended ended = test::blossom({"play", "22", "--state", scratch / "state"});
   SHOW(ended);
   CHECK(ended.status == 3);
   CHECK(ended.out.empty());

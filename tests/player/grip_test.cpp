@@ -1,6 +1,7 @@
 #include "player/grip.hpp"
 
 #include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
 
 #include "player/document.hpp"
 #include "player/session.hpp"
@@ -130,6 +131,36 @@ TEST_CASE("in space a point moves in the plane that faces the view, or along the
     CHECK(difference(turned.place({400, 200}, along)).y == 0);
     CHECK(difference(turned.place({400, 200}, along)).z > 0.9);
   }
+}
+
+TEST_CASE("a point of a plane curve that is drawn above its plane stays in it, and under the mouse") {
+  auto session = opened("lessons/43-projection.json");
+  const PointAddress at{"curve", 0, 1};
+  const auto drawn = [&] {
+    const StepSource& source = session->recording().source();
+    return *source.points[*value_of(*source.graph, session->inputs(), at)];
+  };
+  CHECK(drawn() == glm::dvec3{0, 2, 1});  // (0, 2) at height 1
+  for (const bool perspective : {false, true}) {
+    Camera askew = space(-1.1, 0.4);
+    askew.perspective = perspective;
+    const glm::dvec2 from = *to_page(askew, page, drawn()), to = from + glm::dvec2{70, -30};
+    const Grip grip = grip_of_value(*session, *session->recording().graph().find("P[1]"), askew, page, from);
+    REQUIRE(std::holds_alternative<PointGrip>(grip));
+    const PointGrip& point = std::get<PointGrip>(grip);
+    CHECK(point.address() == at);
+    REQUIRE(session->edit(point.edited(session->algorithm(), to, none), "moved"));
+    const Curve<Exact>& curve = session->inputs().curve("curve");
+    CHECK(curve.points[1].w == Exact(2));
+    const Point<Exact> given = affine(curve, 1);
+    CHECK(drawn() == glm::dvec3{given.x.to_double(), given.y.to_double(), 1});
+    CHECK(glm::distance(*to_page(askew, page, drawn()), to) < 1.5);  // as fine as the page
+    REQUIRE(session->undo());
+  }
+  // Seen from the side, the plane is a line: what moves is what one sees move.
+  const Camera front = facing(space(0, 0), Plane::xz);
+  const PointGrip point(*session, at, front, page, {400, 300}, 0.5);
+  CHECK(text(point.place({450, 300}, none)) == "1/2 2 0");
 }
 
 TEST_CASE("what is computed cannot be dragged, and says so") {

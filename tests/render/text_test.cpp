@@ -83,7 +83,8 @@ TEST_CASE("A subscript and the superscript above it keep clear of each other") {
       CHECK(block.bottom >= below.baseline + Fonts::descent * below.size);
     }
   // One alone stands where it always does.
-  const auto alone = set_text(fonts(), {{"P", TextRun::Level::base, true}, {"4", TextRun::Level::sub}}, 20, TextAlign::left);
+  const auto alone =
+      set_text(fonts(), {{"P", TextRun::Level::base, true}, {"4", TextRun::Level::sub}}, 20, TextAlign::left);
   CHECK(alone.runs[1].baseline == Approx(4.4));
 }
 

@@ -94,7 +94,8 @@ TEST_CASE("The Bernstein polynomials are a triangle that begins with the given o
       const auto* cell = spot_named(sheet, "B[" + std::to_string(i) + "][" + std::to_string(r) + "]");
       REQUIRE(cell != nullptr);
       CHECK(tip->x + tip->width < cell->x);
-      CHECK(cell->y - tip->y == Approx((i - 0.5 * r) * (spot_named(sheet, "B[1][1]")->y - spot_named(sheet, "B[0][1]")->y)));
+      CHECK(cell->y - tip->y ==
+            Approx((i - 0.5 * r) * (spot_named(sheet, "B[1][1]")->y - spot_named(sheet, "B[0][1]")->y)));
     }
 }
 

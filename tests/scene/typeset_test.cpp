@@ -83,8 +83,8 @@ TEST_CASE("A and I at the beginning of a sentence are words, where a value has t
     }();
     return marked(typeset_text(text, table));
   };
-  for (const std::string words : {"A curve is smooth.", "It ends. A line crosses it: A tangent, too.", "(A point)",
-                                  "Then I see\nA knot"}) {
+  for (const std::string words :
+       {"A curve is smooth.", "It ends. A line crosses it: A tangent, too.", "(A point)", "Then I see.\nA knot"}) {
     INFO(words);
     CHECK(set(words) == words);
   }
