@@ -173,8 +173,8 @@ struct Algorithm {
   // What the kernel's preconditions demand of inputs that are each valid alone ("u must lie in the domain [0, 5]").
   // `at("u")` is the place to report at.
   void (*check)(const Inputs<Exact>&, const std::function<Cursor(std::string_view)>& at) = nullptr;
-  // Curves that its inputs stand for though none of them is one, for pictures: the curve of given coefficients, the line
-  // through two points.
+  // Curves that its inputs stand for though none of them is one, for pictures: the curve of given coefficients, the
+  // line through two points.
   std::vector<Curve<double>> (*pictured)(const Inputs<double>&) = nullptr;
   // It works in space on a rational plane curve (kernel/lift.hpp): weights are heights, its points have none, and the
   // picture shows the curve in the plane at height 1 and the one in space above it.

@@ -54,9 +54,9 @@ std::string step_file_name(const Story&, const StoryScene&, std::uint32_t step, 
 
 // For formats of many files: each step's page is drawn into a file of its own. Files of other names in the folder stay.
 // All of them come to their places at the end.
-Checked<LessonExported> write_pages(const Story&, const std::filesystem::path& folder, std::string_view extension,
-                                    const LessonExportOptions&,
-                                    const std::function<Checked<bool>(const Scene&, const std::filesystem::path&)>& draw);
+Checked<LessonExported> write_pages(
+    const Story&, const std::filesystem::path& folder, std::string_view extension, const LessonExportOptions&,
+    const std::function<Checked<bool>(const Scene&, const std::filesystem::path&)>& draw);
 
 // Calls the progress, if there is one; false: stop.
 bool report_progress(const LessonExportOptions&, std::size_t done, std::size_t of);

@@ -39,8 +39,8 @@ struct StoryScene {
 
   const StepSource& source() const { return recording->source(); }
   const StepScenes& scenes() const { return recording->scenes(); }
-  // The geometry at a step as a view of this size, with what its beat highlights, seen as the beats say. Motion: how far
-  // the step has come (ViewportOptions).
+  // The geometry at a step as a view of this size, with what its beat highlights, seen as the beats say. Motion: how
+  // far the step has come (ViewportOptions).
   View picture(std::uint32_t step, double width, double height, double motion = 1) const;
   // The whole page: picture, pseudo-code, formula, scheme, knots and words.
   Scene page(const StoryStep&, const std::string& title, double width, double height, double motion = 1) const;

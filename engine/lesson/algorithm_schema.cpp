@@ -47,8 +47,9 @@ std::string form(const InputSpec& spec) {
 std::string inputs(const Algorithm& algorithm) {
   std::string properties = "\n        \"$comment\": {" + geometry("comment") + "}", required;
   for (const InputSpec& spec : algorithm.inputs) {
-    properties += ",\n        " + json_quote(spec.name) + R"(: {"description": )" + json_quote(spec.description) + ", " +
-                  form(spec) + (spec.fallback.empty() ? "" : R"(, "default": )" + std::string(spec.fallback)) + "}";
+    properties += ",\n        " + json_quote(spec.name) + R"(: {"description": )" + json_quote(spec.description) +
+                  ", " + form(spec) + (spec.fallback.empty() ? "" : R"(, "default": )" + std::string(spec.fallback)) +
+                  "}";
     if (spec.fallback.empty()) required += (required.empty() ? "" : ", ") + json_quote(spec.name);
   }
   return "    " + json_quote(algorithm.id) + ": {\n      \"description\": " + json_quote(algorithm.summary) +

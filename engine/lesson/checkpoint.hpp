@@ -29,9 +29,9 @@ struct Checkpoint {
   LocalText ask;           // a template of the beat's step
   LocalText right, wrong;  // likewise; empty: nothing but that it is right or wrong
   Exact points = 1;
-  std::string value;            // of predict and span: its name in the run
-  int decimals = 3;             // that count, of predict
-  int line = 0;                 // the right one, of line
+  std::string value;             // of predict and span: its name in the run
+  int decimals = 3;              // that count, of predict
+  int line = 0;                  // the right one, of line
   std::vector<LocalText> items;  // of order, in the right order
   std::vector<Choice> choices;
 };
@@ -46,8 +46,9 @@ std::string letter_of(std::size_t place);
 // The right answer of a checkpoint that is not about a value, as an answers file has it: a letter, letters or a line.
 std::string right_letters(const Checkpoint&);
 
-// Nothing, with diagnostics, if it is wrong. `step` is its beat's; both may be missing while other things are wrong, and
-// then only its form is checked. Where it stands it must be worth asking: a value that is made later, a step that comes.
+// Nothing, with diagnostics, if it is wrong. `step` is its beat's; both may be missing while other things are wrong,
+// and then only its form is checked. Where it stands it must be worth asking: a value that is made later, a step that
+// comes.
 std::optional<Checkpoint> read_checkpoint(const Cursor&, const Languages&, const Narrator<Exact>*,
                                           std::optional<std::uint32_t> step);
 // As it stands in a file.

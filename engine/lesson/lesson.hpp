@@ -53,8 +53,8 @@ struct LessonScene {
 struct Lesson : LessonScene {
   std::string id;
   LocalText title;
-  LocalText unit;     // which part of a course it belongs to
-  LocalText summary;  // one sentence
+  LocalText unit;      // which part of a course it belongs to
+  LocalText summary;   // one sentence
   std::string source;  // where to read on
   int minutes = 0;     // how long it takes; 0: not said
   std::vector<LocalText> objectives;

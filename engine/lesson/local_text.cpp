@@ -70,8 +70,9 @@ std::optional<LocalText> read_local_text(const Cursor& at, const Languages& lang
     const std::string& name = at.json().keys[i];
     if (name == languages.own || name == "$comment") continue;
     if (std::ranges::find(languages.others, name) == languages.others.end()) {
-      at.key_error(i, is_language(name) ? "the lesson is not in " + excerpt(name) + "; \"languages\" says which it is in"
-                                        : "must be a language such as \"en\" or \"de\", not " + excerpt(name));
+      at.key_error(i, is_language(name)
+                          ? "the lesson is not in " + excerpt(name) + "; \"languages\" says which it is in"
+                          : "must be a language such as \"en\" or \"de\", not " + excerpt(name));
     } else if (auto text = read_text(at.member(i))) {
       local.add(name, *std::move(text));
     }

@@ -71,7 +71,8 @@ std::optional<Place> read_object(const Cursor& at) {
 std::optional<Place> read_place(const Cursor& at) {
   if (at.is(Json::Kind::object)) return read_object(at);
   if (!at.is(Json::Kind::string)) {
-    at.error(R"(must be a selector such as "P[1][0]", "start", "end", or an object such as {"phase": "parameters"} or {"step": 3})");
+    at.error(
+        R"(must be a selector such as "P[1][0]", "start", "end", or an object such as {"phase": "parameters"} or {"step": 3})");
     return std::nullopt;
   }
   const std::string& text = at.json().text;
@@ -165,7 +166,8 @@ std::string why_nowhere(const Place& place, const TraceGraph& trace) {
   if (place.kind == Place::Kind::level) return "no value of this run is of level " + std::to_string(place.step);
   if (place.kind == Place::Kind::phase || place.kind == Place::Kind::after) {
     const auto known = step_of({Place::Kind::phase, 0, place.text}, trace);
-    if (place.kind == Place::Kind::after && known) return "nothing comes behind " + excerpt(place.text) + " in this run";
+    if (place.kind == Place::Kind::after && known)
+      return "nothing comes behind " + excerpt(place.text) + " in this run";
     std::vector<std::string> labels;
     for (std::uint32_t phase = 0; phase < trace.phases().size(); ++phase) {
       labels.push_back(trace.phases()[phase].label());

@@ -20,7 +20,7 @@ struct Document {
   const Algorithm* algorithm = nullptr;
   Inputs<Exact> inputs;
   std::optional<Lesson> lesson;
-  std::size_t scene = 0;  // of the lesson, which this run is of
+  std::size_t scene = 0;                 // of the lesson, which this run is of
   std::shared_ptr<const Grader> grader;  // of an exercise
   Marking marking = Marking::at_once;
   std::string called;             // its title, where neither a lesson nor a file says one

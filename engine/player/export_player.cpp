@@ -23,7 +23,8 @@ void Player::export_lesson(const std::string& format, const fs::path& out, std::
     if (!written) return show_problems("The lesson could not be exported", written.diagnostics);
     file = scratch;
   }
-  std::vector<std::string> arguments{"export", file.string(), "--to", format, "--out", out.string(), "--progress", "lines"};
+  std::vector<std::string> arguments{"export", file.string(), "--to",       format,
+                                     "--out",  out.string(),  "--progress", "lines"};
   arguments.insert(arguments.end(), std::make_move_iterator(options.begin()), std::make_move_iterator(options.end()));
   export_.reset();
   export_.emplace(options_.program, std::move(arguments), out, std::move(scratch));
@@ -42,7 +43,8 @@ bool Player::take_export_news() {
   else if (!ended->wrong().empty())
     show_problems("The lesson could not be exported", ended->wrong());
   else
-    notice("Exported: " + (ended->notes().empty() ? printable(ended->out().string()) : printable(ended->notes().front())));
+    notice("Exported: " +
+           (ended->notes().empty() ? printable(ended->out().string()) : printable(ended->notes().front())));
   return true;
 }
 

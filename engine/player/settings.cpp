@@ -206,8 +206,7 @@ void read_lesson_progress(const Cursor& at, Progress& progress) {
   if (const auto here = at.optional("scene")) progress.scene = here->string().value_or("");
   if (const auto here = at.optional("scenes"); here && here->is(Json::Kind::object))
     for (std::size_t i = 0; i < here->size(); ++i)
-      if (here->member(i).is(Json::Kind::object))
-        progress.scenes[here->json().keys[i]] = read_place(here->member(i));
+      if (here->member(i).is(Json::Kind::object)) progress.scenes[here->json().keys[i]] = read_place(here->member(i));
   if (const auto here = at.optional("answers"); here && here->is(Json::Kind::object))
     for (std::size_t i = 0; i < here->size(); ++i)
       progress.answers[here->json().keys[i]] = write_json(here->member(i).json());
@@ -241,8 +240,7 @@ Progress read_progress(const Cursor& at) {
 
 std::string place_text(const ScenePlace& place) {
   std::string bookmarks;
-  for (const std::uint32_t step : place.bookmarks)
-    bookmarks += (bookmarks.empty() ? "" : ", ") + std::to_string(step);
+  for (const std::uint32_t step : place.bookmarks) bookmarks += (bookmarks.empty() ? "" : ", ") + std::to_string(step);
   std::string text = "\"step\": " + std::to_string(place.step) + ", \"last\": " + std::to_string(place.last) +
                      ", \"furthest\": " + std::to_string(place.furthest);
   if (!bookmarks.empty()) text += ", \"bookmarks\": [" + bookmarks + "]";

@@ -67,8 +67,8 @@ struct Progress : ScenePlace {
   std::map<std::string, std::string> answers;  // to checkpoints, by id, as an answers file has them
   std::vector<std::string> skipped;            // checkpoints
   std::uint32_t asked = 0, right = 0;          // checkpoints of the lesson, and those answered right
-  double best_score = -1;  // of predictions, 0 to 1; below 0: none yet
-  std::int64_t seen = 0;   // when it was saved, in ms since 1970; 0: it is new, and saving it says when
+  double best_score = -1;                      // of predictions, 0 to 1; below 0: none yet
+  std::int64_t seen = 0;  // when it was saved, in ms since 1970; 0: it is new, and saving it says when
   bool operator==(const Progress&) const = default;
 
   double share() const;  // how much was seen, 0 to 1

@@ -30,10 +30,10 @@ std::string joined(const std::vector<std::uint32_t>& numbers) {
 }
 
 std::string dialog_name(Dialog dialog) {
-  static constexpr const char* names[] = {"none",     "open",       "save_lesson", "save_picture", "save_answers",
-                                          "settings", "shortcuts",  "palette",     "go_to",        "recover",
-                                          "unsaved",  "save_scene", "step_with",   "import_file",  "export_file",
-                                          "export_lesson", "save_checkpoints"};
+  static constexpr const char* names[] = {
+      "none",      "open",        "save_lesson", "save_picture",  "save_answers",    "settings",
+      "shortcuts", "palette",     "go_to",       "recover",       "unsaved",         "save_scene",
+      "step_with", "import_file", "export_file", "export_lesson", "save_checkpoints"};
   return names[static_cast<std::size_t>(dialog)];
 }
 
@@ -76,7 +76,9 @@ const std::map<std::string, Reader, std::less<>>& of_player() {
          std::string text;
          for (const auto& item : p.checkpoints().items())
            text += (text.empty() ? "" : " ") + item.checkpoint.id + "=" +
-                   (item.first ? item.first->right ? "right" : "wrong" : item.skipped ? "skipped" : "open");
+                   (item.first     ? item.first->right ? "right" : "wrong"
+                    : item.skipped ? "skipped"
+                                   : "open");
          return text;
        }},
       {"lost", [](Player& p) { return std::to_string(p.lost_work().size()); }},

@@ -184,8 +184,11 @@ TEST_CASE("lint finds what is wrong between the files of a course, in the order 
           "1.json:2:41: prerequisites[0]: prerequisites go in a circle: \"one\" needs \"two\", which needs \"one\"",
       folder +
           "2.json:2:41: prerequisites[0]: prerequisites go in a circle: \"two\" needs \"one\", which needs \"two\"",
-      folder + "2.json:2:48: prerequisites[1]: no lesson beside this file or in the course has the id \"oen\"; did you mean \"one\"?",
-      folder + "2.json:2:70: exercises[0]: no exercise beside this file, in ../exercises or in the course has the id \"x\"",
+      folder +
+          "2.json:2:48: prerequisites[1]: no lesson beside this file or in the course has the id \"oen\"; did you mean "
+          "\"one\"?",
+      folder +
+          "2.json:2:70: exercises[0]: no exercise beside this file, in ../exercises or in the course has the id \"x\"",
       folder + "3.json:2:45: colors.curve: has too little contrast: 1.0:1",
       folder + "4.json:4:7: beats[0].sliders[0].to: with u = 2 the inputs are not valid: u: "};
   std::istringstream in(ended.err);

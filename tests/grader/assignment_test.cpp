@@ -98,7 +98,8 @@ TEST_CASE("an exercise may stand in the assignment itself, and its mistakes keep
 
 TEST_CASE("a lesson stands in an assignment for its checkpoints") {
   const Scratch scratch;
-  scratch.write("lesson.json", R"({"schema": "blossom.lesson/1", "id": "asks", "title": "T", "algorithm": "de_casteljau",
+  scratch.write("lesson.json",
+                R"({"schema": "blossom.lesson/1", "id": "asks", "title": "T", "algorithm": "de_casteljau",
     "inputs": {"curve": {"degree": 1, "points": [[0, 0], [2, 4]]}, "u": "1/4"},
     "beats": [{"at": "start", "say": "Look.",
                "checkpoint": {"id": "where", "kind": "predict", "value": "C", "points": 3, "ask": "Where?"}}]})");

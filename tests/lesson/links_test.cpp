@@ -44,10 +44,12 @@ TEST_CASE("prerequisites and exercises that no file has are named, with what may
   folder.write("lessons/x.json", R"({"schema": "blossom.exercise/1", "id": "beside"})");
   folder.write("lessons/broken.json", "{");
   CHECK(to_string(checked(folder / "lessons/02-b.json")) ==
-        "02-b.json:2:34: prerequisites[1]: no lesson beside this file or in the course has the id \"first-step\"; did you mean "
+        "02-b.json:2:34: prerequisites[1]: no lesson beside this file or in the course has the id \"first-step\"; did "
+        "you mean "
         "\"first-steps\"?\n"
         "02-b.json:2:48: prerequisites[2]: no lesson beside this file or in the course has the id \"nothing-like-it\"\n"
-        "02-b.json:3:36: exercises[2]: no exercise beside this file, in ../exercises or in the course has the id \"by-hnd\"; did you "
+        "02-b.json:3:36: exercises[2]: no exercise beside this file, in ../exercises or in the course has the id "
+        "\"by-hnd\"; did you "
         "mean \"by-hand\"?\n");
   CHECK(checked(folder / "lessons/01-a.json").empty());
 }

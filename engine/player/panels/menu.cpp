@@ -162,9 +162,8 @@ std::vector<RightItem> right_items(const Ui& ui) {
                        if (u.player().session()->prediction() != nullptr) underline(u);
                      }});
   if (ui.player().languages().size() > 1)
-    items.push_back({button_width(language_label(ui.player()).c_str()), 7, [](Ui& u) {
-                       u.action_button("lesson.language", language_label(u.player()).c_str());
-                     }});
+    items.push_back({button_width(language_label(ui.player()).c_str()), 7,
+                     [](Ui& u) { u.action_button("lesson.language", language_label(u.player()).c_str()); }});
   items.push_back({button_width("\u25D0"), 3, [](Ui& u) { u.action_button("view.next_theme", "\u25D0"); }});
   items.push_back({button_width("?"), 7, [](Ui& u) { u.action_button("help.shortcuts", "?"); }});
   for (RightItem& item : items) item.width += gap;

@@ -70,8 +70,8 @@ void Ui::frame(double seconds, bool drawn) {
   const auto theme = find_theme(player_->settings.theme);
   const Theme* wanted = theme ? *theme : &light_theme();
   const auto* session = std::as_const(*player_).session();
-  const LessonColors colors = session != nullptr && session->document().lesson ? session->document().lesson->colors
-                                                                               : LessonColors();
+  const LessonColors colors =
+      session != nullptr && session->document().lesson ? session->document().lesson->colors : LessonColors();
   const double scale = pixels_per_unit_ * player_->settings.text_scale;
   if (fonts_scale_ != scale || plain_theme_ != wanted || colors_ != colors) {
     scale_ = scale;
