@@ -14,17 +14,18 @@ using Level = TextRun::Level;
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\''; }  // let's
 
-// "A curve", "I see": a word that begins a sentence, not the name of a value. "A is", "A and B" are about a value.
+// "a curve", and "A curve", "I see" where a sentence begins: words, not names of values. "A is", "a times" are about a
+// value.
 bool is_little_word(std::string_view text, std::size_t begin, std::size_t end) {
-  if (end != begin + 1 || (text[begin] != 'A' && text[begin] != 'I')) return false;
+  if (end != begin + 1 || std::string_view("AIa").find(text[begin]) == std::string_view::npos) return false;
   if (end == text.size() || (text[end] != ' ' && text[end] != '\n')) return false;
   std::size_t stop = end + 1;
   while (stop < text.size() && std::islower(static_cast<unsigned char>(text[stop])) != 0) ++stop;
   const std::string_view next = text.substr(end + 1, stop - end - 1);
-  static constexpr std::array<std::string_view, 6> after_names{"is", "and", "or", "to", "has", "lies"};
+  static constexpr std::array<std::string_view, 7> after_names{"is", "and", "or", "to", "has", "lies", "times"};
   if (next.size() < 2 || std::ranges::find(after_names, next) != after_names.end()) return false;
   const std::size_t before = text.substr(0, begin).find_last_not_of(" \n\"(");
-  return text[begin] == 'I' || before == std::string_view::npos ||
+  return text[begin] != 'A' || before == std::string_view::npos ||
          std::string_view(".:!?").find(text[before]) != std::string_view::npos;
 }
 

@@ -78,7 +78,7 @@ TEST_CASE("A and I at the beginning of a sentence are words, where a value has t
     static const Algorithm table = [] {
       Algorithm made;
       made.id = "a_table";
-      made.values = {{"A", {}, "a point"}, {"I", {}, "an integral"}};
+      made.values = {{"A", {}, "a point"}, {"I", {}, "an integral"}, {"a", {}, "a scale"}};
       return made;
     }();
     return marked(typeset_text(text, table));
@@ -92,6 +92,7 @@ TEST_CASE("A and I at the beginning of a sentence are words, where a value has t
   CHECK(set("A is near. Go from A to B, past the point A there.") ==
         "*A* is near. Go from *A* to B, past the point *A* there.");
   CHECK(set("A, I") == "*A*, *I*");
+  CHECK(set("Set a tolerance: a times A, with a = 2.") == "Set a tolerance: *a* times *A*, with *a* = 2.");
   CHECK(set("A u") == "*A* u");
 }
 
