@@ -2,6 +2,8 @@
 
 #include "studio/edit_curve.hpp"
 
+#include <algorithm>
+
 #include "geometry/document.hpp"
 #include "kernel/derivatives.hpp"
 #include "kernel/evaluate.hpp"
@@ -23,7 +25,7 @@ bool same_ring(const Points& a, Points b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < b.size(); ++i) {
     if (a == b) return true;
-    std::ranges::rotate(b, b.begin() + 1);
+    std::rotate(b.begin(), b.begin() + 1, b.end());
   }
   return false;
 }
