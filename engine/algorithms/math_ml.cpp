@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "algorithms/math_symbols.hpp"
+#include "base/html.hpp"
 #include "base/utf8.hpp"
 
 namespace blossom {
@@ -9,29 +10,6 @@ namespace {
 
 using Kind = Math::Kind;
 using Class = Math::Class;
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string element(std::string_view name, std::string_view content, std::string_view attributes = "") {
   std::string out = "<" + std::string(name);
@@ -58,7 +36,7 @@ std::string bold(std::string_view text) {
 }
 
 std::string symbol(const Math& math) {
-  const std::string text = escaped(math.text);
+  const std::string text = html_escape(math.text);
   switch (math.of) {
     case Class::number:
       return element("mn", text);
@@ -157,8 +135,9 @@ std::string written(const Math& math) {
 }  // namespace
 
 std::string mathml(const Math& math, bool display) {
-  return element("math", math.kind == Kind::row ? row(math.parts) : written(math),
-                 std::string(display ? "display=\"block\" " : "") + "alttext=\"" + escaped(plain_math(math)) + "\"");
+  return element(
+      "math", math.kind == Kind::row ? row(math.parts) : written(math),
+      std::string(display ? "display=\"block\" " : "") + "alttext=\"" + html_escape(plain_math(math)) + "\"");
 }
 
 }  // namespace blossom

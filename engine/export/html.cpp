@@ -51,15 +51,15 @@ class PageWriter {
   }
 
  private:
-  std::string word(std::string_view key) const { return html_escaped(words_(key)); }
+  std::string word(std::string_view key) const { return html_escape(words_(key)); }
   // Where the page's own words are in another language than the lesson's.
   std::string own_language() const {
     return words_.language() == story_.language ? "" : " lang=\"" + std::string(words_.language()) + "\"";
   }
 
   std::string head(const std::string& css, const std::string& script) const {
-    std::string out = "<!DOCTYPE html>\n<html lang=\"" + html_escaped(story_.language) + "\"";
-    if (options_.theme->name != light_theme().name) out += " data-theme=\"" + html_escaped(options_.theme->name) + "\"";
+    std::string out = "<!DOCTYPE html>\n<html lang=\"" + html_escape(story_.language) + "\"";
+    if (options_.theme->name != light_theme().name) out += " data-theme=\"" + html_escape(options_.theme->name) + "\"";
     out +=
         ">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri 'none'; "
@@ -69,16 +69,15 @@ class PageWriter {
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"referrer\" content=\"no-referrer\">\n"
         "<title>" +
-        html_escaped(story_.title) + "</title>\n";
-    if (!story_.summary.empty())
-      out += "<meta name=\"description\" content=\"" + html_escaped(story_.summary) + "\">\n";
+        html_escape(story_.title) + "</title>\n";
+    if (!story_.summary.empty()) out += "<meta name=\"description\" content=\"" + html_escape(story_.summary) + "\">\n";
     return out + "<style>" + css + "</style>\n</head>\n<body>\n";
   }
 
   std::string title() const {
     std::string out = "<header class=\"top\">\n<div>\n";
-    if (!story_.unit.empty()) out += "<p class=\"unit\">" + html_escaped(story_.unit) + "</p>\n";
-    out += "<h1>" + html_escaped(story_.title) + "</h1>\n</div>\n<div class=\"tools js\"" + own_language() +
+    if (!story_.unit.empty()) out += "<p class=\"unit\">" + html_escape(story_.unit) + "</p>\n";
+    out += "<h1>" + html_escape(story_.title) + "</h1>\n</div>\n<div class=\"tools js\"" + own_language() +
            " hidden>\n<button type=\"button\" id=\"theme\" aria-label=\"" + word("theme") + "\" title=\"" +
            word("theme") + "\">" +
            "<svg viewBox=\"0 0 24 24\" aria-hidden=\"true\"><circle cx=\"12\" cy=\"12\" r=\"9\"/>"
@@ -90,20 +89,20 @@ class PageWriter {
 
   std::string about() const {
     std::string inside;
-    if (!story_.summary.empty()) inside += "<p>" + html_escaped(story_.summary) + "</p>\n";
+    if (!story_.summary.empty()) inside += "<p>" + html_escape(story_.summary) + "</p>\n";
     const Algorithm& algorithm = story_.scenes.front().recording->algorithm();
     const auto list = [&](std::string_view heading, const std::vector<std::string>& items, bool prose) {
       if (items.empty()) return;
       inside += "<h2>" + word(heading) + "</h2>\n<ul>\n";
       for (const std::string& item : items)
-        inside += "<li>" + (prose ? html_prose(read_prose(item), algorithm) : html_escaped(item)) + "</li>\n";
+        inside += "<li>" + (prose ? html_prose(read_prose(item), algorithm) : html_escape(item)) + "</li>\n";
       inside += "</ul>\n";
     };
     list("objectives", story_.objectives, true);
     list("before", story_.prerequisites, false);
     list("practise", story_.exercises, false);
     if (!story_.source.empty())
-      inside += "<h2>" + word("source") + "</h2>\n<p>" + html_escaped(story_.source) + "</p>\n";
+      inside += "<h2>" + word("source") + "</h2>\n<p>" + html_escape(story_.source) + "</p>\n";
     if (inside.empty()) return {};
     std::string summary = word("about");
     if (story_.minutes > 0) summary += " · " + filled(word("minutes"), "n", std::to_string(story_.minutes));
@@ -122,7 +121,7 @@ class PageWriter {
       out += "<nav class=\"scenes js\" hidden aria-label=\"" + word("scenes") + "\">\n";
       for (std::size_t i = 0; i < story_.scenes.size(); ++i)
         out += "<button type=\"button\" data-scene=\"" + std::to_string(i) + "\"><b>" + std::to_string(i + 1) +
-               "</b> " + html_escaped(story_.scenes[i].heading) + "</button>\n";
+               "</b> " + html_escape(story_.scenes[i].heading) + "</button>\n";
       out += "</nav>\n";
     }
     out += "<section class=\"player js\" aria-label=\"" + word("player") + "\" hidden>\n";

@@ -83,7 +83,7 @@ class SceneWriter {
     const std::string id = "scene" + std::to_string(number_);
     HtmlScene made;
     made.html = "<section class=\"scene\" id=\"" + id + "\">\n";
-    if (!scene_.heading.empty()) made.html += "<h2>" + html_escaped(scene_.heading) + "</h2>\n";
+    if (!scene_.heading.empty()) made.html += "<h2>" + html_escape(scene_.heading) + "</h2>\n";
     made.html += "<details class=\"all\" open>\n<summary>" + std::string(page_.words("steps")) +
                  "</summary>\n<ol class=\"steps\"";
     if (!scene_.steps.empty()) made.html += " start=\"" + std::to_string(scene_.steps.front().step) + "\"";
@@ -170,7 +170,7 @@ class SceneWriter {
 
   std::string row_html(ValueId v) const {
     return "<tr><th scope=\"row\">" + html_names(name_of(v)) + "</th><td>" +
-           html_escaped(shortened_end(source_.value_text(v))) + "</td></tr>\n";
+           html_escape(shortened_end(source_.value_text(v))) + "</td></tr>\n";
   }
 
   // Each cell is two rows high, so that it can stand between the two it comes from.
@@ -205,18 +205,18 @@ class SceneWriter {
   std::string cell_html(ValueId v, bool at_edge) const {
     return "<td rowspan=\"2\"" + std::string(at_edge ? " class=\"edge\"" : "") + " data-v=\"" + std::to_string(v) +
            "\" data-s=\"" + std::to_string(graph_.value(v).step) + "\"><div><b>" + html_names(name_of(v)) +
-           "</b> <span>" + html_escaped(parts::shortened(source_.value_text(v), longest_cell)) + "</span></div></td>";
+           "</b> <span>" + html_escape(parts::shortened(source_.value_text(v), longest_cell)) + "</span></div></td>";
   }
 
   // ---- words --------------------------------------------------------------------------------------------------------
 
   std::string code_html(const Algorithm& algorithm, std::size_t number) const {
     std::string html = "<ol class=\"code\" data-c=\"" + std::to_string(number) + "\" lang=\"en\" aria-label=\"" +
-                       html_escaped(page_.words("code")) + "\">\n";
+                       html_escape(page_.words("code")) + "\">\n";
     for (const std::string_view line : algorithm.pseudo_code) {
       const std::size_t blanks = std::min(line.find_first_not_of(' '), line.size());
       html += "<li><code class=\"in" + std::to_string(std::min<std::size_t>(blanks / 2, most_indents)) + "\">" +
-              html_escaped(line.substr(blanks)) + "</code></li>\n";
+              html_escape(line.substr(blanks)) + "</code></li>\n";
     }
     return html + "</ol>\n";
   }
@@ -239,7 +239,7 @@ class SceneWriter {
     const RichText name = own.find('.') == std::string::npos ? typeset_name(graph_.value(v).name, algorithm)
                                                              : typeset_text(own, algorithm);
     std::string html = "<div class=\"formula\">\n<p class=\"value\">" + html_names(name) + " = <b>" +
-                       html_escaped(shortened_end(value)) + "</b></p>\n";
+                       html_escape(shortened_end(value)) + "</b></p>\n";
     const auto line = [&](std::string_view style, const std::string& text) {
       html += "<p class=\"" + std::string(style) + "\">" + html_typeset(shortened_end(text), algorithm) + "</p>\n";
     };

@@ -1,7 +1,6 @@
 #include "export/html_text.hpp"
 
 #include "algorithms/typeset.hpp"
-#include "base/utf8.hpp"
 
 namespace blossom {
 namespace {
@@ -26,34 +25,10 @@ std::string stacked(std::string_view html) {
 
 }  // namespace
 
-std::string html_escaped(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text, i);
-    const std::string_view character = text.substr(i, length);
-    i += length == 0 ? 1 : length;
-    if (length == 0 || (is_control(character) && character != "\n"))
-      out += "\uFFFD";
-    else if (character == "&")
-      out += "&amp;";
-    else if (character == "<")
-      out += "&lt;";
-    else if (character == ">")
-      out += "&gt;";
-    else if (character == "\"")
-      out += "&quot;";
-    else if (character == "'")
-      out += "&#39;";
-    else
-      out += character;
-  }
-  return out;
-}
-
 std::string html_names(const RichText& runs) {
   std::string out;
   for (const TextRun& run : runs) {
-    const std::string text = html_escaped(run.text);
+    const std::string text = html_escape(run.text);
     out += run.level == Level::sub     ? "<sub>" + text + "</sub>"
            : run.level == Level::super ? "<sup>" + text + "</sup>"
            : run.italic                ? "<i>" + text + "</i>"
@@ -72,17 +47,6 @@ std::string filled(std::string_view words, std::string_view key, std::string_vie
   std::string out(words);
   const std::string place = "{" + std::string(key) + "}";
   if (const std::size_t at = out.find(place); at != std::string::npos) out.replace(at, place.size(), with);
-  return out;
-}
-
-std::string script_json(std::string_view json) {
-  std::string out;
-  for (const char c : json) {
-    if (c == '<')
-      out += "\\u003C";
-    else
-      out += c;
-  }
   return out;
 }
 

@@ -4,12 +4,11 @@
 #include <string>
 #include <string_view>
 
+#include "base/html.hpp"
 #include "lesson/prose.hpp"
 
 namespace blossom {
 
-// As it may stand in an element or a quoted attribute.
-std::string html_escaped(std::string_view);
 // Names with their sub- and superscripts, one above the other where both are.
 std::string html_names(const RichText&);
 std::string html_typeset(std::string_view text, const Algorithm&);
@@ -17,7 +16,5 @@ std::string html_typeset(std::string_view text, const Algorithm&);
 std::string html_prose(const Prose&, const Algorithm&);
 // "step {n} of {last}" with what the braces stand for.
 std::string filled(std::string_view words, std::string_view key, std::string_view with);
-// JSON as it may stand in a <script>: nothing in it ends the element.
-std::string script_json(std::string_view json);
 
 }  // namespace blossom

@@ -1,5 +1,5 @@
 // Prose as part of a page. Everything that comes from a file is escaped, and only addresses that are safe become links.
-#include "base/utf8.hpp"
+#include "base/html.hpp"
 #include "lesson/prose_scan.hpp"
 #include "lesson/prose_text.hpp"
 
@@ -7,30 +7,6 @@ namespace blossom {
 namespace {
 
 using Level = TextRun::Level;
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text, i);
-    const std::string_view character = text.substr(i, length);
-    i += length == 0 ? 1 : length;
-    if (length == 0 || is_control(character))
-      out += character == "\n" ? "\n" : "\uFFFD";
-    else if (character == "&")
-      out += "&amp;";
-    else if (character == "<")
-      out += "&lt;";
-    else if (character == ">")
-      out += "&gt;";
-    else if (character == "\"")
-      out += "&quot;";
-    else if (character == "'")
-      out += "&#39;";
-    else
-      out += character;
-  }
-  return out;
-}
 
 std::string element(std::string_view name, const std::string& content) {
   return "<" + std::string(name) + ">" + content + "</" + std::string(name) + ">";
@@ -41,12 +17,12 @@ std::string span_html(const Span& span, const Algorithm& algorithm) {
   if (span.math != nullptr) {
     out = mathml(*span.math);
   } else if (span.kind == Span::Kind::code) {
-    out = element("code", escaped(span.text));
+    out = element("code", html_escape(span.text));
   } else {
     Span plain = span;
     plain.bold = plain.italic = false;
     for (const TextRun& run : typeset_span(plain, algorithm)) {
-      const std::string text = escaped(run.text);
+      const std::string text = html_escape(run.text);
       out += run.level == Level::sub     ? element("sub", text)
              : run.level == Level::super ? element("sup", text)
              : run.italic                ? element("i", text)
@@ -55,7 +31,8 @@ std::string span_html(const Span& span, const Algorithm& algorithm) {
   }
   if (span.italic) out = element("em", out);
   if (span.bold) out = element("strong", out);
-  if (!span.link.empty() && is_safe_address(span.link)) out = "<a href=\"" + escaped(span.link) + "\">" + out + "</a>";
+  if (!span.link.empty() && is_safe_address(span.link))
+    out = "<a href=\"" + html_escape(span.link) + "\">" + out + "</a>";
   return out;
 }
 

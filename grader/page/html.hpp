@@ -5,21 +5,16 @@
 #include <string_view>
 
 #include "algorithms/typeset.hpp"
+#include "base/html.hpp"
 #include "base/scalar.hpp"
 
 namespace blossom {
-
-// html_escape, appended.
-void append_html(std::string& out, std::string_view text);
 
 // Text with names in it as they stand in books: <i>P</i> with sub- and superscript for P[1][3].
 std::string math_html(const RichText&);
 inline std::string math_html(std::string_view text, const Algorithm& algorithm) {
   return math_html(typeset_text(text, algorithm));
 }
-
-// JSON text as it may stand inside a <script>: < becomes \u003C, so that nothing can end the element.
-std::string script_json(std::string_view json);
 
 // The beginning of a page, up to and with <body>: it loads nothing and runs only what stands in it.
 std::string page_head(std::string_view title, std::string_view css);

@@ -5,14 +5,11 @@
 
 #include <string>
 
+#include "base/html.hpp"
 #include "grader/result.hpp"
 
 namespace blossom {
 
 std::string student_page(const StudentResult&);
-
-// Text as it may stand in HTML, in an element or a quoted attribute: & < > " ' are escaped, control characters and
-// invalid UTF-8 become U+FFFD.
-std::string html_escape(std::string_view);
 
 }  // namespace blossom

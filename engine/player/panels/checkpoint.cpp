@@ -115,31 +115,6 @@ void draw_fields(Ui& ui, const Checkpoints::Reply& reply) {
   if (ui.player().checkpoint_asks_place()) ImGui::TextDisabled("or click the place in the picture");
 }
 
-// The spans one can pick: the nonempty ones of the domain.
-void draw_spans(Ui& ui, const Session& session) {
-  const auto& curves = session.recording().source().curves;
-  if (curves.empty()) return;
-  const auto& curve = curves.front();
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  ImGui::TextDisabled("Click it on the knot line, or here:");
-  bool first = true;
-  for (int i = curve.degree; i <= curve.n(); ++i) {
-    const double a = curve.knots[static_cast<std::size_t>(i)], b = curve.knots[static_cast<std::size_t>(i) + 1];
-    if (!(a < b)) continue;
-    const std::string label = "[" + format_short(a, 3) + ", " + format_short(b, 3) + (i == curve.n() ? "]" : ")");
-    const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-    if (!std::exchange(first, false)) {
-      ImGui::SameLine();
-      if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
-    }
-    if (predict_button(ui, label.c_str(), "checkpoint span " + std::to_string(i)))
-      ui.send([i](Player& p) {
-        p.checkpoints().type({std::to_string(i)});
-        p.submit_checkpoint();
-      });
-  }
-}
-
 // All of the code, for the panel of the code may show only a part of it.
 void draw_lines(Ui& ui, const Session& session) {
   ImGui::TextDisabled("Click the line, here or in the code:");
@@ -312,7 +287,13 @@ void draw_answer(Ui& ui, const Session& session, const Item& item) {
       if (takes) draw_lines(ui, session);
       break;
     case Checkpoint::Kind::span:
-      if (takes) draw_spans(ui, session);
+      if (takes) {
+        ImGui::TextDisabled("Click it on the knot line, or here:");
+        draw_spans(ui, session, "checkpoint span ", [](Player& player, const std::string& index) {
+          player.checkpoints().type({index});
+          player.submit_checkpoint();
+        });
+      }
       [[fallthrough]];
     case Checkpoint::Kind::predict:
       if (takes) draw_fields(ui, reply);

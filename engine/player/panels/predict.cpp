@@ -32,30 +32,6 @@ std::vector<std::string> labels_of(const AskedValue& question, int dimension) {
   return labels;
 }
 
-// The spans one can pick for k: the nonempty ones of the domain.
-void draw_spans(Ui& ui, const Session& session) {
-  const auto& curves = session.recording().source().curves;
-  if (curves.empty()) return;
-  const auto& curve = curves.front();
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  bool first = true;
-  for (int i = curve.degree; i <= curve.n(); ++i) {
-    const double a = curve.knots[static_cast<std::size_t>(i)], b = curve.knots[static_cast<std::size_t>(i) + 1];
-    if (!(a < b)) continue;
-    const std::string label = "[" + format_short(a, 3) + ", " + format_short(b, 3) + (i == curve.n() ? "]" : ")");
-    const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-    if (!std::exchange(first, false)) {
-      ImGui::SameLine();
-      if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
-    }
-    if (predict_button(ui, label.c_str(), "predict span " + std::to_string(i)))
-      ui.send([i](Player& p) {
-        p.set_draft({std::to_string(i)});
-        p.submit_draft();
-      });
-  }
-}
-
 void draw_lines(Ui& ui, const Session& session, const Prediction& prediction, std::size_t q) {
   const AskedValue& question = prediction.questions()[q];
   const StepSource& source = session.recording().source();
@@ -159,7 +135,10 @@ void draw_question(Ui& ui, const Session& session, const Prediction& prediction,
   predict_text(ui, asked_words(question, session.recording().source()), 1.05, Role::text);
   const auto& attempt = prediction.attempt(q);
   if (question.name == "k" && !prediction.finished() && !prediction.mark(q) && !(attempt && attempt->shown))
-    draw_spans(ui, session);
+    draw_spans(ui, session, "predict span ", [](Player& player, const std::string& index) {
+      player.set_draft({index});
+      player.submit_draft();
+    });
   if (attempt || !prediction.finished()) draw_fields(ui, session, question, q);
 }
 

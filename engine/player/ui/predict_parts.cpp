@@ -3,6 +3,8 @@
 
 #include <imgui_internal.h>
 
+#include <utility>
+
 namespace blossom {
 
 bool predict_button(Ui& ui, const char* label, const std::string& name, const std::string& tip) {
@@ -177,6 +179,27 @@ void draw_feedback(Ui& ui, const Prediction& prediction, std::size_t q) {
   predict_text(ui, said, 0.92, role);
   ui.thing("predict feedback " + question.name);
   ImGui::Unindent(ui.px(22));
+}
+
+void draw_spans(Ui& ui, const Session& session, const std::string& name,
+                void (*picked)(Player&, const std::string& index)) {
+  const auto& curves = session.recording().source().curves;
+  if (curves.empty()) return;
+  const auto& curve = curves.front();
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  bool first = true;
+  for (int i = curve.degree; i <= curve.n(); ++i) {
+    const double a = curve.knots[static_cast<std::size_t>(i)], b = curve.knots[static_cast<std::size_t>(i) + 1];
+    if (!(a < b)) continue;
+    const std::string label = "[" + format_short(a, 3) + ", " + format_short(b, 3) + (i == curve.n() ? "]" : ")");
+    const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    if (!std::exchange(first, false)) {
+      ImGui::SameLine();
+      if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
+    }
+    const std::string index = std::to_string(i);
+    if (predict_button(ui, label.c_str(), name + index)) ui.send([=](Player& player) { picked(player, index); });
+  }
 }
 
 }  // namespace blossom

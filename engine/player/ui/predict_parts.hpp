@@ -17,6 +17,8 @@ void draw_feedback(Ui&, const Prediction&, std::size_t question);
 void predict_text(Ui&, const std::string& text, double size, Role);
 bool predict_button(Ui&, const char* label, const std::string& name, const std::string& tip = {});
 bool predict_action(Ui&, std::string_view action, const char* label);
+// The spans one can pick, the nonempty ones of the domain, as buttons called `name` and the index; `picked` gets it.
+void draw_spans(Ui&, const Session&, const std::string& name, void (*picked)(Player&, const std::string& index));
 void predict_tip(Ui&, const std::string& text);  // of ImGui's last item
 
 }  // namespace blossom
