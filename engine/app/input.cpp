@@ -124,6 +124,18 @@ Checked<Subject> load_subject(const SubjectOptions& options) {
   return subject;
 }
 
+Diagnostics at_inputs(const Subject& subject, const Diagnostics& of_run) {
+  Diagnostics diagnostics;
+  const Cursor root(subject.document, diagnostics);
+  Cursor at = root;
+  if (subject.lesson) {
+    if (const auto scenes = root.optional("scenes")) at = (*scenes)[subject.scene];
+    at = *at.optional("inputs");
+  }
+  report_at(at, of_run);
+  return diagnostics;
+}
+
 int report(const Diagnostics& diagnostics) {
   std::cerr << to_string(diagnostics);
   return diagnostics.empty() ? done : input_at_fault;

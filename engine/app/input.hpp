@@ -39,20 +39,14 @@ struct Subject {
 // What is wrong in a file is a diagnostic; options that name nothing throw a CLI::ParseError, which is wrong usage.
 Checked<Subject> load_subject(const SubjectOptions&);
 
-// The run of the subject; what turns out impossible on the way is named at its place in the document.
+// Diagnostics of a run of the subject, at the places in its document where its inputs stand.
+Diagnostics at_inputs(const Subject&, const Diagnostics&);
+
 template <Scalar S>
 Checked<Run<S>> record(const Subject& subject) {
   auto run = record<S>(*subject.algorithm, subject.inputs);
-  if (run) return run;
-  Diagnostics diagnostics;
-  const Cursor root(subject.document, diagnostics);
-  Cursor at = root;
-  if (subject.lesson) {
-    if (const auto scenes = root.optional("scenes")) at = (*scenes)[subject.scene];
-    at = *at.optional("inputs");
-  }
-  report_at(at, run.diagnostics);
-  return diagnostics;
+  if (!run) run.diagnostics = at_inputs(subject, run.diagnostics);
+  return run;
 }
 
 // "22", "22-de-boor" and "de-boor" all find lessons/22-de-boor.json; also any file by its path.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/beat_camera.hpp"
+#include "scene/beat_look.hpp"
 
 namespace blossom {
 namespace {
@@ -60,6 +60,8 @@ class Teller {
         if (source.spatial()) asked.numbers.push_back(point->z);
       } else {
         asked.numbers = source.raw(*value);
+        if (recording_.graph().value(*value).kind == ValueKind::vector)
+          asked.numbers.resize(std::min<std::size_t>(asked.numbers.size(), source.dimension));
       }
     }
     return asked;
@@ -95,6 +97,7 @@ View StoryScene::picture(std::uint32_t step, double width, double height, double
   look.grid = !source().spatial();
   if (const BeatCamera* camera = camera_in_force(beats, step))
     look.camera = camera_of(*camera, scenes(), source(), width, height);
+  look.hulls = hulls_in_force(beats, source(), step);
   const auto beat = std::ranges::find(beats, step, &Beat::step);
   if (beat != beats.end()) look.emphasis.lit = beat->highlights;
   return scenes().viewport(step, width, height, look).view;

@@ -11,7 +11,8 @@
 namespace blossom {
 namespace {
 
-constexpr double longest_pause = 60;  // seconds
+constexpr double longest_pause = 60;              // seconds
+constexpr std::ptrdiff_t most_hull_points = 200;  // in space the time grows with their square
 
 std::optional<std::vector<ValueId>> read_selection(const Cursor& at, const TraceGraph* trace) {
   const auto text = at.string();
@@ -78,6 +79,25 @@ class Reader {
                     std::to_string(first));
     }
     if (step) beat.highlights = selected_up_to(beat.selectors, *step, *trace());
+  }
+
+  void hull(const Cursor& at, std::optional<std::uint32_t> step, Beat& beat) const {
+    if (!at.expect_array(0)) return;
+    beat.hulls.emplace();
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const auto values = read_selection(at[i], trace());
+      if (!values || !step) continue;
+      beat.hulls->push_back(at[i].json().text);
+      const auto points =
+          std::ranges::count(*values, ValueKind::point, [&](ValueId v) { return trace()->value(v).kind; });
+      if (points != std::ssize(*values))
+        at[i].error("must select points, not " + trace()->name(*std::ranges::find_if(*values, [&](ValueId v) {
+          return trace()->value(v).kind != ValueKind::point;
+        })));
+      else if (points > most_hull_points)
+        at[i].error("selects " + std::to_string(points) + " points; a hull is drawn of at most " +
+                    std::to_string(most_hull_points));
+    }
   }
 
   void camera(const Cursor& at, Beat& beat) const {
@@ -253,12 +273,13 @@ std::vector<Beat> read_beats(const Cursor& at, const Languages& languages, const
   std::vector<std::pair<Cursor, std::size_t>> every;
   for (std::size_t i = 0; i < at.size(); ++i) {
     const Cursor beat = at[i];
-    if (!beat.expect_object({"at", "say", "highlight", "camera", "pause", "sliders", "checkpoint"})) continue;
+    if (!beat.expect_object({"at", "say", "highlight", "hull", "camera", "pause", "sliders", "checkpoint"})) continue;
     Beat made;
     const auto where = beat.required("at");
     const auto step = where ? reader.step(*where, made) : std::nullopt;
     if (const auto say = beat.required("say")) reader.say(*say, step, made);
     if (const auto highlight = beat.optional("highlight")) reader.highlight(*highlight, step, made);
+    if (const auto hull = beat.optional("hull")) reader.hull(*hull, step, made);
     if (const auto camera = beat.optional("camera")) reader.camera(*camera, made);
     if (const auto pause = beat.optional("pause")) reader.pause(*pause, made);
     if (const auto sliders = beat.optional("sliders")) reader.sliders(*sliders, made);
@@ -287,6 +308,7 @@ Json write_beat(const Beat& beat, const Languages& languages) {
   };
   const auto number = [](double x) { return json_number(format_number(x)); };
   if (!beat.selectors.empty()) members.emplace_back("highlight", strings(beat.selectors));
+  if (beat.hulls) members.emplace_back("hull", strings(*beat.hulls));
   if (beat.camera) {
     std::vector<std::pair<std::string, Json>> camera;
     if (!beat.camera->fit.empty()) camera.emplace_back("fit", strings(beat.camera->fit));

@@ -30,6 +30,8 @@ struct Beat {
   LocalText say;                    // the template
   std::vector<ValueId> highlights;  // in the order they are made
   std::optional<BeatCamera> camera;
+  std::optional<std::vector<std::string>>
+      hulls;           // selectors: the convex hull of the points of each is drawn from here on
   bool waits = false;  // playing stops here ("pause": "wait")
   double seconds = 0;  // or stays so much longer ("pause": 2)
   std::vector<Slider> sliders;

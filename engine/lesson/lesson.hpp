@@ -5,8 +5,8 @@
 //    "inputs": {"curve": {...}, "u": "2/5"},
 //    "unit"?, "summary"?, "source"?, "minutes"?: 10, "objectives"?: [text, ...], "prerequisites"?: [lesson ids],
 //    "exercises"?: [exercise ids], "language"?: "en", "languages"?: ["de", ...], "colors"?: see colors.hpp,
-//    "beats": [{"at": place, "say": text, "highlight"?: ["P[0][0..1]"], "camera"?, "pause"?, "sliders"?,
-//               "checkpoint"?}, ...],
+//    "beats": [{"at": place, "say": text, "highlight"?: ["P[0][0..1]"], "hull"?: ["P[0][*]"], "camera"?, "pause"?,
+//               "sliders"?, "checkpoint"?}, ...],
 //    "predict"?: {"ask"?: ["P[1][*]", "C"], "marking"?: "at-once" | "at-end"}}
 //
 // With "scenes": [{"id", "title", "algorithm", "inputs", "beats", "predict"?}, ...] instead of algorithm, inputs, beats
@@ -14,8 +14,9 @@
 //
 // A beat stands at one step of the run ("at": see place.hpp) and replaces the algorithm's own narration there; one at
 // {"every": selector} stands at several, where no other beat does. "say" is a template (algorithms/narrate.hpp) of what
-// prose.hpp reads; "highlight" selects values made up to that step. The beats are in the order of their steps, at most
-// one at each. beat.hpp and checkpoint.hpp describe the rest. A "$comment" is for who reads the file, anywhere.
+// prose.hpp reads; "highlight" selects values made up to that step; of the points of each selector in "hull" the convex
+// hull is drawn, until another beat says otherwise. The beats are in the order of their steps, at most one at each.
+// beat.hpp and checkpoint.hpp describe the rest. A "$comment" is for who reads the file, anywhere.
 //
 // "predict" says which values a student is asked to predict (selectors; without them what exercises about the algorithm
 // usually ask) and when the predictions are marked (without it at once).

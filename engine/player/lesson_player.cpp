@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "player/player.hpp"
-#include "scene/beat_camera.hpp"
+#include "scene/beat_look.hpp"
 
 namespace blossom {
 namespace {

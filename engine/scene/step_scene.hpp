@@ -24,6 +24,7 @@ struct PageOptions {
 struct ViewportOptions {
   std::optional<Camera> camera;  // otherwise the fitted one
   Emphasis emphasis;
+  std::vector<std::vector<ValueId>> hulls = {};  // the convex hull of each of these
   // How far the step has come: below 1 the new point is on its way from one operand to the other (of a division), or
   // appears.
   double motion = 1;

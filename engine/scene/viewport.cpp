@@ -7,6 +7,7 @@
 #include "algorithms/typeset.hpp"
 #include "scene/camera.hpp"
 #include "scene/grid.hpp"
+#include "scene/hull_shape.hpp"
 #include "scene/panel_parts.hpp"
 #include "scene/viewport_builder.hpp"
 
@@ -45,6 +46,18 @@ std::optional<Division> ViewportBuilder::division_of_step() const {
 void ViewportBuilder::add_grid() {
   if (view_.camera.kind == Camera::Kind::plane) add_plane_grid(view_);
   if (view_.camera.kind == Camera::Kind::orbit) add_ground_grid(view_, samples_.bounds);
+}
+
+void ViewportBuilder::add_hulls() {
+  for (const auto& hull : options_.hulls) {
+    std::vector<Point<double>> points;
+    for (const ValueId v : hull)
+      if (graph_.value(v).step <= step_ && source_.points[v]) {
+        const glm::dvec3 at = place(v);
+        points.emplace_back(at.x, at.y, at.z);
+      }
+    add_hull(view_, points);
+  }
 }
 
 void ViewportBuilder::add_curves() {

@@ -49,6 +49,7 @@ class ViewportBuilder {
 
   void build() {
     if (options_.grid) add_grid();
+    add_hulls();
     add_curves();
     add_lifted();
     find_shown();
@@ -94,6 +95,7 @@ class ViewportBuilder {
 
   std::optional<Division> division_of_step() const;
   void add_grid();
+  void add_hulls();
   void add_curves();
   void add_lifted();
   void add_rays();

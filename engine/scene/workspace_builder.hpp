@@ -70,7 +70,6 @@ class WorkspaceBuilder {
  private:
   // ---- marks of a curve ----
   void add_curve_marks(const Thing&, const Curve<double>&);
-  void add_hull(const std::vector<Point<double>>& points);
   void add_net(const Thing&, const Curve<double>&);
   void add_triad(const Thing&, const Curve<double>&);
   void add_circle(const Curve<double>&, double u, bool sphere);

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "kernel/evaluate.hpp"
-#include "kernel/hull.hpp"
+#include "scene/hull_shape.hpp"
 #include "scene/panel_parts.hpp"
 #include "scene/workspace_builder.hpp"
 
@@ -125,7 +125,7 @@ void WorkspaceBuilder::add_curve_marks(const Thing& thing, const Curve<double>& 
     std::vector<Point<double>> corners;
     for (const auto& P : points)
       if (const auto at = affine_point(P); at && P.w > 0) corners.push_back(*at);
-    if (corners.size() == points.size()) add_hull(corners);  // the property is one of positive weights
+    if (corners.size() == points.size()) add_hull(view_, corners);  // the property is one of positive weights
   }
   if (thing.shows(Show::net)) add_net(thing, curve);
   if (thing.shows(Show::circle)) add_circle(curve, thing.u, false);
@@ -143,53 +143,6 @@ void WorkspaceBuilder::add_curve_marks(const Thing& thing, const Curve<double>& 
 void WorkspaceBuilder::add_traced_point(const glm::dvec3& at, RichText name, bool loud) {
   view_.markers.push_back(marker(at, Role::result, loud ? 1 : 0.8));
   if (!name.empty()) view_.labels.push_back(label_around(at, std::move(name), Role::result, loud ? 30 : 8, !loud));
-}
-
-void WorkspaceBuilder::add_hull(const std::vector<Point<double>>& points) {
-  const Hull hull = convex_hull(points);
-  const auto at = [&](int i) { return plain(points[static_cast<std::size_t>(i)]); };
-  if (hull.triangles.empty()) {
-    Polyline rim;
-    for (const int i : hull.polygon) rim.points.push_back(at(i));
-    if (rim.points.size() < 2) return;
-    rim.role = Role::ratio_far;
-    rim.width_scale = 0.6;
-    rim.closed = rim.points.size() > 2;
-    if (rim.points.size() > 2) {
-      if (flat()) {
-        view_.polygons.push_back({rim.points, Role::ratio_far, 0.22});
-      } else {
-        Mesh mesh;
-        mesh.role = Role::ratio_far;
-        mesh.opacity = 0.25;
-        mesh.positions = rim.points;
-        for (std::uint32_t i = 2; i < rim.points.size(); ++i) mesh.indices.insert(mesh.indices.end(), {0u, i - 1, i});
-        view_.meshes.push_back(std::move(mesh));
-      }
-    }
-    view_.polylines.push_back(std::move(rim));
-    return;
-  }
-  Mesh mesh;
-  mesh.role = Role::ratio_far;
-  mesh.opacity = 0.3;
-  for (const auto& t : hull.triangles) {
-    const glm::dvec3 a = at(t[0]), b = at(t[1]), c = at(t[2]);
-    const glm::dvec3 across = glm::cross(b - a, c - a);
-    const double size = glm::length(across);
-    if (!(size > 0)) continue;
-    for (const glm::dvec3& corner : {a, b, c}) {
-      mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
-      mesh.positions.push_back(corner);
-      mesh.normals.push_back(across / size);
-    }
-    for (int side = 0; side < 3; ++side)
-      if (t[static_cast<std::size_t>(side)] < t[static_cast<std::size_t>((side + 1) % 3)])
-        view_.polylines.push_back(
-            line({at(t[static_cast<std::size_t>(side)]), at(t[static_cast<std::size_t>((side + 1) % 3)])},
-                 Role::ratio_far, 0.45));
-  }
-  view_.meshes.push_back(std::move(mesh));
 }
 
 void WorkspaceBuilder::add_net(const Thing& thing, const Curve<double>& curve) {

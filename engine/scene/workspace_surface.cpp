@@ -7,6 +7,7 @@
 #include "kernel/light_lines.hpp"
 #include "kernel/surface_shape.hpp"
 #include "scene/color_bands.hpp"
+#include "scene/hull_shape.hpp"
 #include "scene/panel_parts.hpp"
 #include "scene/workspace_builder.hpp"
 
@@ -88,7 +89,7 @@ void WorkspaceBuilder::add_surface_marks(const Thing& thing, const Surface<doubl
         positive = positive && at && surface.at(i, j).w > 0;
         if (at) corners.push_back(*at);
       }
-    if (positive) add_hull(corners);
+    if (positive) add_hull(view_, corners);
   }
   if (thing.shows(Show::net)) add_surface_net(surface, u, v);
   if (thing.shows(Show::principal)) add_principal(surface, u, v);

@@ -3,7 +3,7 @@
 
 #include "player/action.hpp"
 #include "player/doing.hpp"
-#include "scene/beat_camera.hpp"
+#include "scene/beat_look.hpp"
 
 using namespace blossom;
 using namespace blossom::test;

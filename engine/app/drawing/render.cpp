@@ -6,10 +6,10 @@
 #include "app/input.hpp"
 #include "app/page_look.hpp"
 #include "app/progress.hpp"
+#include "export/story.hpp"
 #include "lesson/file_kind.hpp"
 #include "render/lesson_theme.hpp"
 #include "render/picture.hpp"
-#include "scene/step_scene.hpp"
 #include "scene/workspace_view.hpp"
 #include "studio/scene_file.hpp"
 
@@ -38,18 +38,22 @@ std::string file_name(const std::string& stem, std::uint32_t step, std::uint32_t
   return stem + "-" + number + extension;
 }
 
-template <Scalar S>
+Checked<Story> story_of(const Subject& subject, bool exact) {
+  StoryOptions options;
+  options.language = subject.language;
+  options.scene = subject.scene;
+  options.exact = exact;
+  auto story =
+      subject.lesson ? make_story(*subject.lesson, options) : make_story(*subject.algorithm, subject.inputs, options);
+  if (!story) return at_inputs(subject, story.diagnostics);
+  return story;
+}
+
 int draw(const Subject& subject, const Options& options, const PageLook& look) {
-  const auto recorded = record<S>(subject);
-  if (!recorded) return report(recorded.diagnostics);
-  const Narrator<S> narrator(*recorded, 6);
-  const StepSource source = make_source(narrator);
-  const StepScenes scenes(source);
-  PageOptions page;
-  page.width = look.width;
-  page.height = look.height;
-  page.title = subject.title();
-  const std::uint32_t last = recorded->trace.step_count() - 1;
+  const auto story = story_of(subject, options.exact);
+  if (!story) return report(story.diagnostics);
+  const StoryScene& told = story->scenes.front();
+  const std::uint32_t last = told.recording->last();
 
   std::vector<std::uint32_t> steps;
   if (options.step >= 0) {
@@ -67,8 +71,8 @@ int draw(const Subject& subject, const Options& options, const PageLook& look) {
   std::vector<std::uint32_t> on_sheet = steps;
   if (steps.size() > most_on_sheet) {
     on_sheet.clear();
-    if (subject.lesson && subject.lesson_scene()->beats.size() > 1)
-      for (const Beat& beat : subject.lesson_scene()->beats) on_sheet.push_back(beat.step);
+    if (told.beats.size() > 1)
+      for (const Beat& beat : told.beats) on_sheet.push_back(beat.step);
     else
       for (std::uint32_t i = 0; i < most_on_sheet; ++i) on_sheet.push_back(i * last / (most_on_sheet - 1));
   }
@@ -76,7 +80,6 @@ int draw(const Subject& subject, const Options& options, const PageLook& look) {
 
   std::error_code error;
   fs::create_directories(options.out, error);
-  const std::string stem = subject.lesson ? subject.lesson->id : std::string(subject.algorithm->id);
   std::vector<Image> images;
   std::vector<std::string> captions;
   const bool each = options.step >= 0 || options.all || options.contact_sheet.empty();
@@ -84,13 +87,13 @@ int draw(const Subject& subject, const Options& options, const PageLook& look) {
   auto progress = std::make_optional<Progress>();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const std::uint32_t step = steps[i];
-    const Scene scene = scenes.page(step, subject.narration(narrator, step), page);
-    const std::string title = page.title + ", step " + std::to_string(step);
+    const Scene scene = told.page(told.steps[step], story->title, look.width, look.height);
+    const std::string title = story->title + ", step " + std::to_string(step);
     Checked<bool> saved = true;
     if (options.svg) {
       const auto text = draw_svg(scene, *look.theme);
       if (!text) return report(text.diagnostics);
-      if (each) saved = write_file(fs::path(options.out) / file_name(stem, step, last, ".svg"), *text);
+      if (each) saved = write_file(fs::path(options.out) / file_name(story->id, step, last, ".svg"), *text);
     }
     if (!options.svg || !options.contact_sheet.empty()) {
       auto image = draw_image(scene, *look.theme, look.scale, options.context);
@@ -99,8 +102,8 @@ int draw(const Subject& subject, const Options& options, const PageLook& look) {
         return machine_at_fault;
       }
       if (each && !options.svg)
-        saved =
-            write_png(fs::path(options.out) / file_name(stem, step, last, ".png"), *image, title, scene.description);
+        saved = write_png(fs::path(options.out) / file_name(story->id, step, last, ".png"), *image, title,
+                          scene.description);
       if (!options.contact_sheet.empty() && std::ranges::find(on_sheet, step) != on_sheet.end()) {
         images.push_back(std::move(*image));
         captions.push_back("step " + std::to_string(step));
@@ -123,7 +126,7 @@ int draw(const Subject& subject, const Options& options, const PageLook& look) {
     const int columns = images.size() < 5 ? 2 : (images.size() < 17 ? 3 : 4);
     const auto saved =
         write_png(options.contact_sheet, contact_sheet(**fonts, *look.theme, images, captions, columns, 560),
-                  page.title + ": all steps");
+                  story->title + ": all steps");
     if (!saved) {
       report(saved.diagnostics);
       return machine_at_fault;
@@ -193,7 +196,7 @@ int run(const Options& options) {
   if (!subject) return report(subject.diagnostics);
   const Theme theme = with_colors(*look.theme, subject->lesson ? subject->lesson->colors : LessonColors());
   look.theme = &theme;
-  return options.exact ? draw<Exact>(*subject, options, look) : draw<double>(*subject, options, look);
+  return draw(*subject, options, look);
 }
 
 void set_up(CLI::App& app, int& status) {

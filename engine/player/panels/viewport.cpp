@@ -7,6 +7,7 @@
 #include "algorithms/typeset.hpp"
 #include "player/panels/mouse.hpp"
 #include "player/ui/panel.hpp"
+#include "scene/beat_look.hpp"
 
 namespace blossom {
 namespace {
@@ -306,6 +307,7 @@ void draw(Ui& ui) {
   options.camera = player.shown_camera();
   options.emphasis = player.emphasis();
   options.motion = player.motion();
+  options.hulls = hulls_in_force(session.beats(), session.recording().source(), session.step());
   options.grid = player.settings.grid;
   Sheet sheet = session.recording().scenes().viewport(session.step(), size.width, size.height, options);
   add_guesses(sheet.view, player);

@@ -1,4 +1,4 @@
-#include "scene/beat_camera.hpp"
+#include "scene/beat_look.hpp"
 
 #include <numbers>
 
@@ -37,6 +37,21 @@ Camera camera_of(const BeatCamera& wanted, const StepScenes& scenes, const StepS
     });
   camera.height /= wanted.zoom;
   return camera;
+}
+
+std::vector<std::vector<ValueId>> hulls_in_force(const std::vector<Beat>& beats, const StepSource& source,
+                                                 std::uint32_t step) {
+  const std::vector<std::string>* found = nullptr;
+  for (const Beat& beat : beats)
+    if (beat.step <= step && beat.hulls) found = &*beat.hulls;
+  std::vector<std::vector<ValueId>> hulls;
+  if (found == nullptr) return hulls;
+  for (const std::string& selector : *found) {
+    auto points = selected_up_to({selector}, step, *source.graph);
+    std::erase_if(points, [&](ValueId v) { return !source.points[v]; });
+    if (points.size() > 1) hulls.push_back(std::move(points));
+  }
+  return hulls;
 }
 
 }  // namespace blossom
