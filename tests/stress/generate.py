@@ -10,6 +10,7 @@ import random
 from fractions import Fraction
 
 import recount
+from rules import RULES, blend, cox_rising, ratio
 
 ATTACKS = [
     "<script>alert(1)</script>", "\"><img src=x onerror=alert(1)>", "=cmd|' /C calc'!A0", "+1+1", "-1+1", "@SUM(A1)",
@@ -27,6 +28,113 @@ def decimal(x, places):
     digits = str(scaled).rjust(places + 1, "0")
     text = digits[:-places] + "." + digits[-places:] if places else digits
     return ("-" if x < 0 and scaled else "") + text
+
+
+def first_of(A, *_):
+    return A
+
+
+def second_of(_, A, *__):
+    return A
+
+
+def one_more(rule):
+    """The rule for a count or an index, one too high."""
+    return lambda *operands: tuple(x + 1 for x in RULES[rule](*operands) or (0,))
+
+
+def opposite(rule):
+    return lambda *operands: tuple(-x for x in RULES[rule](*operands) or ())
+
+
+def exchanged(rule, i, j):
+    """The rule with two of its operands exchanged."""
+
+    def wrong(*operands):
+        operands = list(operands)
+        operands[i], operands[j] = operands[j], operands[i]
+        return RULES[rule](*operands)
+
+    return wrong
+
+
+def added(*operands):
+    return tuple(sum(numbers) for numbers in zip(*operands))
+
+
+# What somebody may take for a rule, by the rule's name.
+WRONG_RULES = {
+    "blend": [exchanged("blend", 1, 2), lambda a, A, B: blend((1,), A, B), lambda a, A, B: RULES["midpoint"](A, B)],
+    "between_points": [exchanged("blend", 1, 2), second_of],
+    "middle_of": [exchanged("blend", 1, 2), lambda a, A, B: added(A, B)],
+    "midpoint": [first_of, added],
+    "half_way": [first_of, added],
+    "blend_slopes": [exchanged("blend", 1, 2), lambda a, A, B: RULES["midpoint"](A, B)],
+    "elevate": [blend],
+    "ratio": [exchanged("ratio", 1, 2), lambda u, a, b: (u[0] - a[0],), first_of],
+    "span": [one_more("span")],
+    "piece_of": [one_more("piece_of")],
+    "multiplicity": [one_more("multiplicity")],
+    "sign_changes": [one_more("sign_changes")],
+    "project": [lambda A: A[:3] + (Fraction(1),)],
+    "shadow": [first_of, lambda A: A[:2] + (Fraction(1),) + A[3:]],
+    "lift": [first_of, lambda A, w: A[:2] + (A[2] * w[0],) + A[3:]],
+    "fraction": [lambda a, b: (a[0] / (b[0] + 1),), lambda a, b: (1 - a[0] / b[0],)],
+    "quotient": [exchanged("quotient", 0, 1), first_of],
+    "mean": [first_of],
+    "product_sum": [lambda *pairs: RULES["product_sum"](*pairs[:2]), added],
+    "largest": [RULES["smallest"], added],
+    "smallest": [RULES["largest"]],
+    "insert_knot": [lambda u, times, U: U],
+    "remove_knot": [lambda u, U: U, lambda u, U: tuple(x for x in U if x != u[0])],
+    "inner_knots": [first_of, lambda U: U[1:]],
+    "unite_knots": [first_of, second_of, lambda U, V: tuple(sorted(U + V))],
+    "spread_knot": [lambda u, t, h: (u[0] - t[0] * h[0],), lambda u, t, h: (u[0] + t[0],)],
+    "nearest_knot": [lambda u, a, b: (max(u[0] - a[0], b[0] - u[0]),), lambda u, a, b: (b[0] - a[0],)],
+    "mirror": [lambda a, b, u: (b[0] - u[0],), lambda a, b, u: u],
+    "span_share": [lambda i, m, a, b: (i[0] / m[0],), lambda i, m, a, b: (i[0] / (m[0] + 1) * (b[0] - a[0]),)],
+    "step_back": [added],
+    "span_length": [second_of],
+    "share_of": [exchanged("share_of", 0, 1), first_of],
+    "blend_numbers": [exchanged("blend_numbers", 1, 2), lambda u, a, b: (u[0] * (a[0] + b[0]),)],
+    "rest_of": [RULES["part_of"], second_of],
+    "part_of": [RULES["rest_of"], second_of],
+    "tensor_product": [added, first_of],
+    "basis_times_weight": [added, first_of],
+    "cox_rising": [RULES["cox_falling"], lambda u, a, b, N: ratio(u, a, b)],
+    "cox_falling": [RULES["cox_rising"], lambda u, a, b, N: ratio(u, b, a)],
+    "cox_de_boor": [lambda u, a, b, N, c, d, M: cox_rising(u, a, b, N), exchanged("cox_de_boor", 3, 6)],
+    "basis": [lambda j, q, v, V: RULES["basis"]((j[0] + 1,), q, v, V), lambda j, q, v, V: (1 / (q[0] + 1),)],
+    "share": [second_of],
+    "multiple": [second_of],
+    "weigh_point": [second_of],
+    "add_share": [lambda T, a, A: added(T, A), lambda T, a, A: A],
+    "add_multiple": [lambda T, a, A: added(T, A), lambda T, a, A: A],
+    "add_weighed": [lambda T, a, A: added(T, A), lambda T, a, A: A],
+    "reduce": [RULES["add_multiple"], first_of],
+    "divide": [first_of, lambda A, d: RULES["multiple"](d, A)],
+    "divide_vector": [first_of, lambda A, d: RULES["multiple"](d, A)],
+    "horner_vector": [lambda A, u, B: added(A, B), lambda A, u, B: blend(u, A, B)],
+    "horner_point": [lambda A, u, B: added(A, B), lambda A, u, B: blend(u, A, B)],
+    "slope_factor": [exchanged("slope_factor", 1, 2), lambda p, a, b: p, lambda p, a, b: ((p[0] + 1) / (b[0] - a[0]),)],
+    "velocity": [exchanged("velocity", 1, 2), lambda c, A, B: RULES["velocity"]((1,), A, B)],
+    "control_slope": [exchanged("control_slope", 3, 4), lambda q, a, b, A, B: RULES["control_slope"]((1,), a, b, A, B)],
+    "take_product": [first_of, lambda X, b, w, D: RULES["take_product"](X, (1,), w, D), opposite("take_product")],
+    "chord_slope": [exchanged("chord_slope", 0, 1), lambda A, B, w: RULES["towards"](B, A)],
+    "continue_slope": [first_of, second_of, exchanged("continue_slope", 0, 1)],
+    "third_ahead": [lambda A, w, V: RULES["add_share"](A, w, V), RULES["third_back"]],
+    "third_back": [lambda A, w, V: RULES["reduce"](A, w, V), RULES["third_ahead"]],
+    "unblend_end": [exchanged("unblend_end", 1, 2), RULES["unblend_begin"], blend],
+    "unblend_begin": [exchanged("unblend_begin", 1, 2), RULES["unblend_end"], blend],
+    "boolean_sum": [added, lambda A, B, C: added(A, B)],
+    "side_of": [opposite("side_of"), lambda A, B, Q: Q[1:2]],
+    "stand_up": [first_of],
+    "move_along": [first_of, added],
+    "swing": [lambda P, T, a: RULES["swing"](P, T, (2 * a[0],)), lambda P, T, a: T],
+    "cosine": [RULES["sine"], opposite("cosine")],
+    "sine": [RULES["cosine"], opposite("sine")],
+    "gap": [lambda A, B: (sum(abs(x - y) for x, y in zip(A, B)),)],
+}
 
 
 class Generator:
@@ -132,31 +240,19 @@ class Generator:
         for _ in range(self.random.choice([1, 1, 2])):
             part = self.some_part()
             off = self.random.choice([0, 1, -1, Fraction(1, 2), 2, Fraction(1, 7)])
-            numbers = tuple(x + off if self.random.random() < 0.7 else self.random.choice([0, x, -x]) for x in part.right)
+            numbers = tuple(x + off if self.random.random() < 0.7 else self.random.choice([0 * x, x, -x]) for x in part.right)
             if part.kind == "integer":
                 numbers = (part.right[0] + self.random.choice([-1, 1]),)
             given[part.name] = ([str(x) for x in numbers], numbers, False)
-        return self.recomputed(given, recount.RULES)
+        return self.recomputed(given, RULES)
 
     def make_wrong_rule(self):
         """One rule applied wrongly, throughout."""
-        rules = dict(recount.RULES)
-        wrong = {
-            "blend": [lambda a, A, B: recount.blend(a, B, A), lambda a, A, B: recount.blend((1,), A, B),
-                      lambda a, A, B: tuple((x + y) / 2 for x, y in zip(A, B))],
-            "ratio": [lambda u, a, b: recount.ratio(u, b, a), lambda u, a, b: (u[0] - a[0],), lambda u, a, b: u],
-            "span": [lambda p, u, U: tuple(x + 1 for x in recount.span(p, u, U) or (0,))],
-            "multiplicity": [lambda u, U: (Fraction(U.count(u[0]) + 1),)],
-            "project": [lambda A: A[:3] + (Fraction(1),)],
-            "fraction": [lambda a, b: (a[0] / (b[0] + 1),), lambda a, b: (1 - a[0] / b[0],)],
-            "elevate": [recount.blend],
-            "insert_knot": [lambda u, times, U: U],
-            "mean": [lambda *a: a[0]],
-        }
-        present = sorted({value.rule for value in self.exercise.order} & set(wrong))
+        rules = dict(RULES)
+        present = sorted({value.rule for value in self.exercise.order} & set(WRONG_RULES))
         if present:
             name = self.random.choice(present)
-            rules[name] = self.random.choice(wrong[name])
+            rules[name] = self.random.choice(WRONG_RULES[name])
         return self.recomputed({}, rules)
 
     def recomputed(self, given, rules):

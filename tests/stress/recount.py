@@ -1,25 +1,31 @@
 """A slow, independent recount: how many points a submission may have at most.
 
 Nothing of the grader is used here. An exercise is its own file and the exact trace of its inputs, whose graph says which
-value was made from which others by the rule of which name; the rules are written here once more, in fractions. A cell
-may have its points when it is right, within the tolerance, or when the right rule gives it on what the same submission
-says of the values before it.
+value was made from which others by the rule of which name; the rules are written once more in rules.py, in fractions. A
+cell may have its points when it is right, within the tolerance, or when the right rule gives it on what the same
+submission says of the values before it.
 
 Where the grader is more careful than this (an early value that leaves nothing to compute, a wrong rule that is known), it
-gives less. So this is a bound, and the cells that count as right are exact.
+gives less. So this is a bound, and the cells that count as right are exact. What the grader knows in double precision
+only (a root, a number of many digits) is doubted here in its tenth digit.
+
+When an exercise is loaded, each rule has to give what the trace says on the trace's own values.
 """
 
 import functools
 import json
 import re
-from bisect import bisect_left, bisect_right
 from fractions import Fraction
+
+from rules import RULES, Rounded
 
 LONGEST_NUMBER = 400
 LARGEST_EXPONENT = 400
 MOST_WIDENING = 100  # tolerances that the rounding of operands may grant
 LONGEST_EXACT = 20  # characters; longer numbers are carried on in double precision
+DOUBT = Fraction(1, 10**9)  # of what is known in double precision, as a share of the numbers it was made from
 DECIMAL = re.compile(r"[+-]?(?:(\d+)(?:\.(\d*))?|\.(\d+))(?:[eE]([+-]?\d+))?", re.ASCII)
+INDEX = re.compile(r"\[([^]]*)\]")
 FRACTION = re.compile(r"([+-]?\d+)/(\d+)", re.ASCII)
 
 
@@ -91,6 +97,11 @@ class Tolerance:
             self.amount = Fraction(str(self.amount))
 
     def slack(self, value):
+        """How far from the value an answer may be; from a rounded one, never less than it is known to."""
+        allowed = self.allowed(value)
+        return max(allowed, DOUBT * max(1, abs(value))) if isinstance(value, Rounded) else allowed
+
+    def allowed(self, value):
         if self.kind == "exact":
             return Fraction(0)
         if self.kind == "decimals":
@@ -109,82 +120,47 @@ def rounding_of(text):
     return Fraction(10) ** (int(exponent or 0) - places) / 2
 
 
-## The rules. Operands and results are tuples of numbers: a point is (wx, wy, wz, w). None: it cannot be applied.
-
-
-def blend(a, A, B):
-    return tuple((1 - a[0]) * x + a[0] * y for x, y in zip(A, B))
-
-
-def ratio(u, a, b):
-    return None if a == b else ((u[0] - a[0]) / (b[0] - a[0]),)
-
-
-def span(p, u, U):
-    p, u, n = int(p[0]), u[0], len(U) - int(p[0]) - 2
-    if p < 1 or n < p or u < U[p] or U[n + 1] < u:
-        return None
-    k = min(bisect_right(U, u) - 1, n)
-    while k > p and not U[k] < U[k + 1]:
-        k -= 1
-    return (Fraction(k),)
-
-
-def insert_knot(u, times, U):
-    if times[0].denominator != 1 or not 0 <= times[0] <= 26:
-        return None
-    at = bisect_right(U, u[0])
-    return tuple(U[:at]) + tuple(u) * int(times[0]) + tuple(U[at:])
-
-
-def elevate_knots(p, times, U):
-    p, times = int(p[0]), int(times[0])
-    V = []
-    for knot in sorted(set(U)):
-        V += [knot] * (U.count(knot) + times)
-    q, a, b = p + times, U[p], U[len(U) - p - 1]
-    begin, end = bisect_right(V, a) - 1, bisect_left(V, b)
-    return tuple(V[begin - q : end + q + 1])
-
-
-RULES = {
-    "blend": blend,
-    "ratio": ratio,
-    "span": span,
-    "same": lambda A: A,
-    "same_number": lambda a: a,
-    "project": lambda A: tuple(x / A[3] for x in A) if A[3] else None,
-    "multiplicity": lambda u, U: (Fraction(U.count(u[0])),),
-    "last_knot": lambda u, U: (Fraction(bisect_right(U, u[0]) - 1),),
-    "insert_knot": insert_knot,
-    "elevate": lambda a, A, B: blend(a, B, A),
-    "elevate_end": lambda A: A,
-    "elevate_knots": elevate_knots,
-    "fraction": lambda a, b: (a[0] / b[0],) if b[0] else None,
-    "quotient": lambda a, b: (a[0] / b[0],) if b[0] else None,
-    "sum": lambda a, b: (a[0] + b[0],),
-    "total": lambda *a: (sum(x[0] for x in a),),
-    "mean": lambda *a: (sum(x[0] for x in a) / len(a),),
-    "gather": lambda *a: tuple(x for numbers in a for x in numbers),
-}
+## Exercises
 
 
 class Value:
-    def __init__(self, entry, dimension):
+    def __init__(self, entry, trace):
         self.name, self.kind, self.rule, self.operands = entry["name"], entry["kind"], entry["rule"], entry["from"]
-        given = entry["value"]
-        numbers = [Fraction(x) for x in (given if isinstance(given, list) else [given])]
-        if self.kind == "point":
+        given, rounded = entry["value"], entry.get("approximate", [])
+        texts = entry.get("homogeneous", given if isinstance(given, list) else [given])
+        if self.kind == "point" and "homogeneous" not in entry:
             weight = Fraction(entry.get("weight", 1))
-            numbers = [weight * x for x in numbers] + [Fraction(0)] * (3 - dimension) + [weight]
-        self.right = tuple(numbers)
+            scale = weight or 1  # a point of weight 0 has no coordinates but its homogeneous ones
+            zeros = [0] * (3 - trace["dimension"])
+            texts = [scale * Fraction(x) for x in texts] + zeros + [weight]
+        rounded = range(len(texts)) if rounded is True else rounded  # those of double precision, or all
+        self.right = tuple(Rounded(float(x)) if i in rounded else Fraction(x) for i, x in enumerate(texts))
+
+
+def quotient(x, w):
+    """x / w. What is known in double precision is divided in it, within its range."""
+    try:
+        return Rounded(float(x) / float(w)) if isinstance(x, Rounded) or isinstance(w, Rounded) else x / w
+    except (OverflowError, ZeroDivisionError):
+        return x / w
+
+
+def as_doubles(numbers):
+    """The numbers as far as double precision knows them; what is beyond its range stays."""
+    try:
+        return tuple(Rounded(float(x)) for x in numbers)
+    except OverflowError:
+        return numbers
 
 
 class Part:
     def __init__(self, value, ask, exercise_tolerance, trace):
         self.value, self.name, self.kind = value, value.name, value.kind
         self.points = Fraction(str(ask["points"]))
+        self.is_place = self.kind in ("point", "vector")
         self.form = ask.get("form", "affine")
+        if self.kind == "vector" and trace["rational"] and self.form == "affine":
+            self.form = "homogeneous"  # a difference of points has no coordinates but these
         self.as_set = ask.get("as") == "set"
         self.tolerance = Tolerance(ask.get("tolerance", exercise_tolerance))
         if self.kind == "integer":
@@ -197,7 +173,7 @@ class Part:
         self.slacks = [self.tolerance.slack(x) for x in self.right]
 
     def as_typed(self, traced):
-        if self.kind != "point":
+        if not self.is_place:
             return traced
         if self.form == "weight":
             return traced[3:]
@@ -205,11 +181,11 @@ class Part:
         if self.form == "homogeneous":
             return typed + traced[3:]
         if self.rational:
-            return tuple(x / traced[3] for x in typed) if traced[3] else None
+            return tuple(quotient(x, traced[3]) for x in typed) if traced[3] else None
         return typed
 
     def as_traced(self, typed, model):
-        if self.kind != "point":
+        if not self.is_place:
             return typed
         d = self.dimension
         if self.form == "weight":
@@ -246,7 +222,9 @@ class Exercise:
         self.carried = Fraction(str(document.get("carried", 1)))
         partial = document.get("partial", {})
         self.consolation = max(Fraction(str(partial.get(key, 0))) for key in ("misconception", "slip"))
-        self.values = {entry["name"]: Value(entry, trace["dimension"]) for entry in trace["values"]}
+        self.values = {entry["name"]: Value(entry, trace) for entry in trace["values"]}
+        if len(self.values) != len(trace["values"]):
+            raise SystemExit(f"{self.id}: two values of its trace have one name")
         self.parts = []
         for ask in document["ask"]:
             for name, value in self.values.items():
@@ -259,19 +237,46 @@ class Exercise:
             if value.name in needed:
                 needed.update(value.operands)
         self.order = [v for v in self.values.values() if v.name in needed and v.rule != "input"]
+        self.inexact = {v.name for v in self.values.values() if any(isinstance(x, Rounded) for x in v.right)}
+        self.check_rules()
+
+    def check_rules(self):
+        """Stops where a rule is missing or is not the trace's."""
         unknown = {v.rule for v in self.order} - set(RULES)
-        if unknown - {"distance"}:  # of given points, which nobody can change
+        if unknown:
             raise SystemExit(f"{self.id}: rules that the recount does not have: {sorted(unknown)}")
+        for value in self.values.values():
+            if value.rule not in RULES:
+                continue
+            operands = [self.values[o].right for o in value.operands]
+            made = apply_rule(RULES[value.rule], operands)
+            exact = self.inexact.isdisjoint([value.name, *value.operands])
+            if made != value.right and (exact or not nearly_equal(made, value.right, operands)):
+                said = f"{value.name} = {[str(x) for x in value.right]}"
+                raise SystemExit(f"{self.id}: the rule {value.rule} does not give {said}, but {made}")
+
+
+def apply_rule(rule, operands):
+    """What the rule gives; None where it cannot be applied."""
+    if None in operands:
+        return None
+    try:
+        return rule(*operands)
+    except ZeroDivisionError:
+        return None
+
+
+def nearly_equal(made, right, operands):
+    """Whether two results are the same as far as double precision knows."""
+    size = max([1, *(abs(x) for numbers in (right, *operands) for x in numbers)])
+    return made is not None and len(made) == len(right) and all(abs(x - y) <= DOUBT * size for x, y in zip(made, right))
 
 
 def selects(selector, name):
     """Whether P[1..2][*] selects P[1][0]."""
-    if re.sub(r"\[.*", "", selector) != re.sub(r"\[.*", "", name):
+    if INDEX.sub("[]", selector) != INDEX.sub("[]", name):
         return False
-    wanted, indices = re.findall(r"\[([^]]*)\]", selector), re.findall(r"\[([^]]*)\]", name)
-    if len(wanted) != len(indices):
-        return False
-    for want, index in zip(wanted, indices):
+    for want, index in zip(INDEX.findall(selector), INDEX.findall(name)):
         low, _, high = want.partition("..")
         if want != "*" and not int(low) <= int(index) <= int(high or low):
             return False
@@ -286,7 +291,9 @@ class Replay:
         self.own = {v.name: v.right for v in exercise.values.values()}
         self.expected = dict(self.own)
         self.rounding, self.expected_rounding = {}, {}
-        self.changed, self.inexact = set(), set()
+        # What was made in double precision: their own value; what the rule gives.
+        self.inexact, self.made_inexact = set(exercise.inexact), set(exercise.inexact)
+        self.changed = set()
         for value in exercise.order:
             name = value.name
             if value.rule in rules and (rules is not RULES or any(o in self.changed for o in value.operands)):
@@ -303,10 +310,11 @@ class Replay:
     def apply(self, value):
         rule = self.rules[value.rule]
         operands = [self.own[o] for o in value.operands]
-        if any(o in self.inexact for o in value.operands):
-            self.inexact.add(value.name)
-        made = None if None in operands else rule(*operands)
-        self.expected[value.name] = made
+        made = apply_rule(rule, operands)
+        is_inexact = any(o in self.inexact for o in value.operands) or any(isinstance(x, Rounded) for x in made or ())
+        for names in (self.inexact, self.made_inexact):
+            (names.add if is_inexact else names.discard)(value.name)
+        self.expected[value.name] = as_doubles(made) if made and is_inexact else made
         radii = [self.rounding.get(o) for o in value.operands]
         if made is None or not any(radii):
             return
@@ -317,7 +325,7 @@ class Replay:
                     continue
                 moved = list(operands)
                 moved[i] = operands[i][:j] + (operands[i][j] + r,) + operands[i][j + 1 :]
-                there = rule(*moved)
+                there = apply_rule(rule, moved)
                 if there is not None and len(there) == len(made):
                     rounding = [a + abs(x - y) for a, x, y in zip(rounding, there, made)]
         self.expected_rounding[value.name] = rounding
@@ -339,7 +347,7 @@ class Replay:
             if part.form == "homogeneous":  # the weight is typed behind two or three coordinates
                 radius[part.dimension : part.dimension] = [Fraction(0)] * (3 - part.dimension)
             radius += [Fraction(0)] * (len(made) - len(radius))
-            if part.rational and part.form == "affine" and part.kind == "point":
+            if part.rational and part.form == "affine" and part.is_place:
                 radius = [r * abs(made[3]) for r in radius]
             self.rounding[name] = radius
 
@@ -356,7 +364,7 @@ class Replay:
             wide = list(self.expected_rounding[name])
             if part.form == "homogeneous":
                 wide = wide[: part.dimension] + wide[3:]
-            if part.kind == "point" and part.rational and part.form == "affine":
+            if part.is_place and part.rational and part.form == "affine":
                 wide = [r / abs(expected[3]) for r in wide]
             most = MOST_WIDENING * max(part.tolerance.slack(x) for x in typed)
             wide = [min(r, most) for r in wide]
@@ -364,9 +372,9 @@ class Replay:
             typed = sorted(typed)
         # What was carried on in double precision is known to nine digits of the largest number it was made from.
         doubt = Fraction(0)
-        if name in self.inexact:
+        if name in self.made_inexact:
             made_from = [abs(x) for o in part.value.operands for x in self.own[o] or ()]
-            doubt = Fraction(1, 10**9) * max(1, *(abs(x) for x in typed), *made_from)
+            doubt = DOUBT * max(1, *(abs(x) for x in typed), *made_from)
         for x, right, more in zip(numbers, typed, wide):
             # The allowance itself is computed in double precision.
             if abs(x - right) > (part.tolerance.slack(right) + more) * (1 + Fraction(1, 10**9)) + doubt:
