@@ -19,6 +19,12 @@ const std::string* string_at(const Json& object, std::string_view key) {
 
 bool is_number(const Json& json) { return json.kind == Json::Kind::number || json.kind == Json::Kind::string; }
 
+// A vector such as a derivative has the weight 0, which need not be said.
+bool leaves_out_weight(const Part& part, std::size_t count) {
+  return part.kind == ValueKind::vector && part.form == Form::homogeneous && count + 1 == part.right.size() &&
+         part.right.back() == Exact(0);
+}
+
 // The array of a part that takes one, whether or not it says that it is a set.
 const Json* array_of(const Part& part, const Json& json) {
   if (json.kind == Json::Kind::array) return &json;
@@ -209,12 +215,17 @@ Typed read_typed(const Part& part, const Json& json) {
     return typed;
   }
   const Json* array = array_of(part, json);
-  if (array == nullptr || (part.size() != 0 && array->items.size() != part.size())) {
+  const bool weightless = array != nullptr && leaves_out_weight(part, array->items.size());
+  if (array == nullptr || (part.size() != 0 && array->items.size() != part.size() && !weightless)) {
     typed.problem = expected_shape(part) + ", not " + kind_of(json);
     return typed;
   }
   for (const Json& item : array->items)
     if (!take(item)) return typed;
+  if (weightless) {
+    typed.texts.emplace_back("0");
+    typed.numbers.emplace_back(0);
+  }
   if (part.as_set) {
     std::vector<std::size_t> order(typed.numbers.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -266,7 +277,9 @@ Match match(const Part& part, const Json& json) {
   };
   if (part.is_single()) return fits(part.windows[0], json) ? Match::right : Match::different;
   const Json* array = array_of(part, json);
-  if (array == nullptr || array->items.size() != part.windows.size()) return Match::different;
+  if (array == nullptr) return Match::different;
+  if (array->items.size() != part.windows.size() && !leaves_out_weight(part, array->items.size()))
+    return Match::different;
   if (part.as_set) {
     const Typed typed = read_typed(part, json);
     if (!typed.problem.empty()) return Match::different;
@@ -274,7 +287,7 @@ Match match(const Part& part, const Json& json) {
       if (fit(part.windows[i], typed.texts[i]) != Fit::inside) return Match::different;
     return Match::right;
   }
-  for (std::size_t i = 0; i < part.windows.size(); ++i)
+  for (std::size_t i = 0; i < array->items.size(); ++i)
     if (!fits(part.windows[i], array->items[i])) return Match::different;
   return Match::right;
 }

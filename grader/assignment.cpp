@@ -81,7 +81,10 @@ class AssignmentReader {
     if (const auto at = root_.required("title")) assignment.title = read_text(*at).value_or("");
     if (const auto at = root_.optional("lms_id")) assignment.lms_id = read_text(*at).value_or("");
     if (const auto at = root_.optional("source")) at->string();
-    if (const auto at = root_.optional("due")) assignment.due = read_time(*at);
+    if (const auto at = root_.optional("due")) {
+      assignment.due = read_time(*at);
+      if (assignment.due) assignment.offset = offset_in(at->json().text);
+    }
     if (const auto at = root_.optional("late")) read_late(*at);
     if (const auto at = root_.optional("attempts"))
       assignment.attempts =
@@ -94,6 +97,7 @@ class AssignmentReader {
                                                  {"full", Feedback::full}});
     if (const auto at = root_.optional("full_feedback_from")) {
       assignment.full_feedback_from = read_time(*at);
+      if (assignment.full_feedback_from && !assignment.due) assignment.offset = offset_in(at->json().text);
       if (assignment.full_feedback_from && assignment.due && *assignment.full_feedback_from < *assignment.due)
         at->error("is before \"due\": everybody would have the solutions while answers are still handed in");
     }

@@ -45,6 +45,7 @@ struct Assignment {
   std::string lms_id;  // of the assignment, for gradebooks: Canvas's `Title (id)`
   std::vector<Item> items;
   std::optional<Time> due;
+  std::chrono::minutes offset{0};  // of the clocks that students are told times by: as the file writes "due"
   LatePolicy late;
   Attempts attempts = Attempts::last;
   std::optional<Feedback> feedback;        // instead of the exercises' own

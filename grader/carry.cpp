@@ -61,7 +61,9 @@ bool Replayed::make(ValueId v, Numbers<Exact>& made) {
     if (own_[o].empty()) return false;
     operands_.push_back(own_[o]);
   }
-  return trace.value(v).rule->replay<Exact>()(operands_, made);
+  if (!trace.value(v).rule->replay<Exact>()(operands_, made)) return false;
+  // From numbers that overflow nothing follows.
+  return std::ranges::all_of(made, [](const Exact& x) { return !x.is_approximate() || std::isfinite(x.to_double()); });
 }
 
 void Replayed::put_in(ValueId v, const Part& part, const Given& given) {
@@ -77,8 +79,8 @@ void Replayed::put_in(ValueId v, const Part& part, const Given& given) {
   made.rounding.resize(made.own.size(), 0);
   const auto d = static_cast<std::size_t>(part.dimension);
   if (part.form == Form::homogeneous && d < 3) std::swap(made.rounding[d], made.rounding[3]);  // typed: x, y, w
-  const bool weighted = part.rational && part.form == Form::affine && made.own.size() == 4;
-  if (weighted)
+  const bool is_point = part.kind == ValueKind::point || part.kind == ValueKind::vector;
+  if (is_point && part.rational && part.form == Form::affine)
     for (double& r : made.rounding) r *= std::abs(made.own[3].to_double());
 }
 

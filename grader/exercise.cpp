@@ -156,6 +156,10 @@ class ExerciseReader {
         message += "; did you mean " + excerpt(*near) + "?";
       at.error(message);
     }
+    std::vector<ProseMistake> mistakes;
+    read_prose(filled, &mistakes);
+    for (const ProseMistake& mistake : mistakes)
+      at.error(mistake.what + ", at " + excerpt(std::string_view(filled).substr(std::min(mistake.at, filled.size()))));
     exercise.prompt = std::move(filled);
   }
 
@@ -405,10 +409,11 @@ void complete_part(Part& part, const Narrator<Exact>& narrator) {
   if (part.as_set) std::ranges::sort(part.right);
   for (const Exact& x : part.right) part.windows.push_back(window(part.tolerance, x));
   const std::string name = trace.name(part.value), formula = narrator.formula(part.value);
-  const std::string result = result_text(part, narrator);
-  part.formula = name + " = " + formula;
+  const std::string& result = part.result = result_text(part, narrator);
+  part.in_words = is_sentence(formula);
+  part.formula = part.in_words ? formula : name + " = " + formula;
   part.solution = name + " = ";
-  if (is_sentence(formula)) {
+  if (part.in_words) {
     part.solution += result + ", " + formula;
     return;
   }

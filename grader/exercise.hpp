@@ -64,8 +64,10 @@ struct Part {
   Numbers<Exact> right;         // as it is typed
   std::vector<Window> windows;  // of each number of it
 
-  std::string formula;   // P[1][0] = (1 - u) P[0][0] + u P[0][1]
-  std::string solution;  // the same with numbers and the right value
+  std::string formula;    // P[1][0] = (1 - u) P[0][0] + u P[0][1]
+  bool in_words = false;  // of the formula: the index k of the span of U that holds u
+  std::string result;     // the right value: (0, 1)
+  std::string solution;   // formula, numbers and result
 
   std::shared_ptr<const Question> question;  // of a part of a lesson's sheet (lesson_grader.hpp), which is no value
 
@@ -103,8 +105,8 @@ struct Exercise {
   Run<Exact> run;
   std::vector<Part> parts;
   Exact max_points = 0;
-  // Of the sheet of a lesson: by scene, an exercise with those of its checkpoints that are values. Of the sheet itself
-  // the run is the first scene's.
+  // Of the sheet of a lesson: by scene, an exercise with those of its checkpoints that are values, of the scene's
+  // title. Of the sheet itself the run is the first scene's.
   std::vector<Exercise> scenes;
 
   bool is_sheet() const { return !scenes.empty(); }

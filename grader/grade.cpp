@@ -90,12 +90,32 @@ Grader::Grader(Exercise exercise) : exercise_(std::move(exercise)), plan_(exerci
     }
     return;
   }
+  leave_out_strange_names();
   Replayed right(exercise_, plan_);
   right.run(std::vector<Given>(exercise_.parts.size(), Given{Given::Kind::right}));
   const auto trivial = right.trivial();
   for (const Part& part : exercise_.parts) {
     right_is_trivial_.push_back(trivial[part.value]);
     any_voided_ = any_voided_ || part.voided != Voided::no;
+  }
+}
+
+// A rule whose names nobody was asked for, values of a run within the run, tells nothing; and a question of a lesson
+// asks for no name at all.
+void Grader::leave_out_strange_names() {
+  const auto& trace = exercise_.run.trace;
+  std::unordered_set<ValueId> asked;
+  for (const Part& part : exercise_.parts) asked.insert(part.value);
+  for (Part& part : exercise_.parts) {
+    const std::string name = trace.name(part.value), scope = trace.scope(part.value);
+    const bool is_hidden = !scope.empty() && part.name != name;
+    const bool any_strange = std::ranges::any_of(trace.operands(part.value), [&](ValueId o) {
+      return !asked.contains(o) && !scope.starts_with(trace.scope(o)) &&
+             part.formula.find(trace.name(o)) != std::string::npos;
+    });
+    if (!is_hidden && !any_strange) continue;
+    part.formula.clear();
+    part.solution = (is_hidden ? "" : name + " = ") + part.result;
   }
 }
 
@@ -467,7 +487,7 @@ std::string Grader::feedback(const Part& part, Verdict verdict, std::string_view
   if (exercise_.feedback == Feedback::full) return text + " Right is " + part.solution + ".";
   // The rule is a help where it is not known yet; not to who already used it.
   if (!part.formula.empty() && (verdict == Verdict::wrong || verdict == Verdict::missing))
-    text += " The rule is " + part.formula + ".";
+    text += (part.in_words ? " It is " : " The rule is ") + part.formula + ".";
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algorithms/typeset.hpp"
 #include "base/json_write.hpp"
 
 namespace blossom {
@@ -9,11 +10,16 @@ namespace {
 
 constexpr std::size_t most_shown = 40;  // characters of an answer that is said to be wrong
 
-// A text of a lesson at its step, as it is read aloud.
+// A text of a lesson at its step.
+std::string filled(const LocalText& text, const Narrator<Exact>& narrator, std::uint32_t step,
+                   std::string_view language) {
+  return text.empty() ? std::string() : narrator.fill(text.in(language), step);
+}
+
+// The same as it is read aloud.
 std::string said(const LocalText& text, const Narrator<Exact>& narrator, std::uint32_t step,
                  std::string_view language) {
-  if (text.empty()) return {};
-  return plain_text(read_prose(narrator.fill(text.in(language), step)));
+  return plain_text(read_prose(filled(text, narrator, step, language)));
 }
 
 std::string with_commas(std::string_view letters) {
@@ -39,16 +45,24 @@ Question question_of(const Checkpoint& checkpoint, const Narrator<Exact>& narrat
                      std::string_view language) {
   Question made;
   made.kind = checkpoint.kind;
+  made.ask = filled(checkpoint.ask, narrator, step, language);
   made.praise = said(checkpoint.right, narrator, step, language);
   made.blame = said(checkpoint.wrong, narrator, step, language);
   if (made.is_value()) return made;
   made.right = right_letters(checkpoint);
   made.count = checkpoint.items.size() + checkpoint.choices.size();
-  for (const Checkpoint::Choice& choice : checkpoint.choices)
+  for (const Checkpoint::Choice& choice : checkpoint.choices) {
+    made.options.push_back(filled(choice.text, narrator, step, language));
     made.feedback.push_back(said(choice.feedback, narrator, step, language));
+  }
+  if (!checkpoint.items.empty())
+    for (const std::size_t item : shown_order(checkpoint))
+      made.options.push_back(filled(checkpoint.items[item], narrator, step, language));
   if (checkpoint.kind == Checkpoint::Kind::line && step + 1 < narrator.trace().step_count()) {
+    const auto& lines = narrator.algorithm_at(step + 1).pseudo_code;
     made.right = std::to_string(narrator.line(step + 1));
-    made.count = narrator.algorithm_at(step + 1).pseudo_code.size();
+    made.count = lines.size();
+    made.options.assign(lines.begin(), lines.end());
   }
   return made;
 }
@@ -127,7 +141,12 @@ LetterMark mark_line(const Question& question, const Json& answer) {
     return mark;
   }
   mark.verdict = number->to_string() == question.right ? Verdict::correct : Verdict::wrong;
+  mark.choice = static_cast<std::size_t>(number->to_double()) - 1;
   return mark;
+}
+
+bool is_in(const Lesson& lesson, std::string_view language) {
+  return language == lesson.languages.own || std::ranges::count(lesson.languages.others, language) > 0;
 }
 
 const Beat* beat_of(const LessonScene& scene, const Checkpoint& checkpoint) {
@@ -173,6 +192,7 @@ Checked<Exercise> make_sheet(const Lesson& lesson, std::string_view language) {
     const LessonScene& scene = lesson.scene_at(s);
     Exercise& of_scene = sheet.scenes.emplace_back();
     of_scene.id = lesson.id;
+    of_scene.title = scene.heading.in(language);
     of_scene.tolerance = {Tolerance::Kind::decimals, Checkpoint().decimals, 0};
     auto run = record<Exact>(*scene.algorithm, scene.inputs);
     if (!run) return run.diagnostics;
@@ -209,9 +229,15 @@ Checked<Exercise> make_sheet(const Lesson& lesson, std::string_view language) {
 Checked<Exercise> read_sheet(const JsonDocument& document, std::string_view language) {
   const auto lesson = load_lesson(document);
   if (!lesson) return lesson.diagnostics;
+  Diagnostics diagnostics;
+  if (!language.empty() && !is_in(*lesson, language)) {
+    std::string known = lesson->languages.own;
+    for (const std::string& other : lesson->languages.others) known += ", " + other;
+    Cursor(document, diagnostics).error("is not in the language " + excerpt(language) + "; it is in " + known);
+    return diagnostics;
+  }
   auto sheet = make_sheet(*lesson, language);
   if (!sheet || sheet->max_points != Exact(0)) return sheet;
-  Diagnostics diagnostics;
   Cursor(document, diagnostics)
       .error(sheet->parts.empty() ? "has no checkpoints, so there is nothing to grade: give a beat a \"checkpoint\""
                                   : "must have a checkpoint that is worth more than 0 points");
@@ -228,7 +254,9 @@ CheckpointMark mark_checkpoint(const Run<Exact>& run, std::uint32_t step, const 
   if (question.is_value()) {
     auto part = value_part(checkpoint, narrator);
     if (!part) return mark;
-    mark.right = checkpoint.value + " = " + narrator.value_text(part->value);
+    const bool is_hidden =
+        !narrator.trace().scope(part->value).empty();  // of a run within the run: nobody's name for it
+    mark.right = (is_hidden ? "" : checkpoint.value + " = ") + narrator.value_text(part->value);
     Exercise alone;
     alone.id = checkpoint.id;
     alone.feedback = Feedback::hint;
@@ -242,7 +270,7 @@ CheckpointMark mark_checkpoint(const Run<Exact>& run, std::uint32_t step, const 
     const PartGrade& made = grade.parts.front();
     mark.verdict = made.verdict;
     mark.points = made.points;
-    if (mark.verdict != Verdict::correct) mark.note = made.feedback;
+    if (mark.verdict != Verdict::correct) mark.note = unicode_text(typeset_text(made.feedback, *run.algorithm));
   } else {
     const LetterMark letters = mark_letters(question, answer);
     mark.verdict = letters.verdict;

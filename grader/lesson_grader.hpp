@@ -23,10 +23,13 @@ namespace blossom {
 // What a part of a sheet is about. `value` of such a part is absent.
 struct Question {
   Checkpoint::Kind kind = Checkpoint::Kind::choice;
-  std::size_t scene = 0;              // of the lesson
-  std::size_t part = 0;               // of a value: the part of that scene's exercise
-  std::string right;                  // of a line, an order, a choice: see right_letters
-  std::size_t count = 0;              // how many letters there are, or lines
+  std::size_t scene = 0;  // of the lesson
+  std::size_t part = 0;   // of a value: the part of that scene's exercise
+  std::string ask;        // filled in; prose.hpp reads it
+  std::vector<std::string>
+      options;            // likewise: choices, or items as they are shown; of a line the pseudo-code, as it is
+  std::string right;      // of a line, an order, a choice: see right_letters
+  std::size_t count = 0;  // how many letters there are, or lines
   std::vector<std::string> feedback;  // to each choice, plain text
   std::string praise, blame;          // "right" and "wrong" of the checkpoint, filled in, plain text
   bool is_value() const { return kind == Checkpoint::Kind::predict || kind == Checkpoint::Kind::span; }
@@ -35,13 +38,13 @@ struct Question {
 // What an answer that is no value counts as.
 struct LetterMark {
   Verdict verdict = Verdict::invalid;  // correct, wrong or invalid
-  std::size_t choice = 0;              // which one was taken, of a choice
+  std::size_t choice = 0;              // which one was taken, of a choice or a line
   std::string problem;                 // why it is invalid: "must be one letter from a to c, not ..."
 };
 LetterMark mark_letters(const Question&, const Json& answer);
 
-// The sheet of a lesson, with its texts in a language. Every mistake of the lesson at once; a lesson without
-// checkpoints is one.
+// The sheet of a lesson, with its texts in a language: for read_sheet one that the lesson is in; make_sheet takes its
+// own where it lacks one. Every mistake of the lesson at once; a lesson without checkpoints is one.
 Checked<Exercise> read_sheet(const JsonDocument& lesson, std::string_view language = {});
 Checked<Exercise> make_sheet(const Lesson&, std::string_view language = {});
 

@@ -226,7 +226,8 @@ class StudentGrading {
             : assignment_->attempts == Attempts::first ? "the first one does"
                                                        : "the best one does";
     if (!one.source.empty()) text += ", " + printable(one.source);
-    if (one.submitted) text += (one.source.empty() ? ", of " : " of ") + time_in_words(*one.submitted);
+    if (one.submitted)
+      text += (one.source.empty() ? ", of " : " of ") + time_in_words(*one.submitted, assignment_->offset);
     return text;
   }
 

@@ -116,10 +116,27 @@ std::string time_problem(std::string_view text) {
          std::to_string(y) + " has " + std::to_string(static_cast<unsigned>(last_day)) + " days";
 }
 
-std::string time_in_words(Time time) {
-  std::string text = format_time(time);
+minutes offset_in(std::string_view text) {
+  constexpr std::size_t clock_at = 11;  // behind it a minus belongs to no date
+  const std::size_t at = text.find_first_of("+-", clock_at);
+  if (at == std::string_view::npos) return minutes{0};
+  Scanner scan(text.substr(at + 1));
+  const int h = scan.digits(2);
+  scan.one_of(":");
+  return minutes{(text[at] == '-' ? -1 : 1) * (h * 60 + scan.digits(2))};
+}
+
+std::string time_in_words(Time time, minutes offset) {
+  const Time there = std::clamp(time + offset, first, last);
+  std::string text = format_time(there);
   text[10] = ' ';
-  return text.substr(0, text.ends_with(":00Z") ? 16 : 19) + " UTC";
+  text.resize(text.ends_with(":00Z") ? 16 : 19);
+  if (offset == minutes{0}) return text + " UTC";
+  const auto size = abs(offset).count();
+  char sign[24];
+  std::snprintf(sign, sizeof sign, " (UTC%c%02d:%02d)", offset < minutes{0} ? '-' : '+', static_cast<int>(size / 60),
+                static_cast<int>(size % 60));
+  return text + sign;
 }
 
 std::optional<Time> read_time(const Cursor& cursor) {

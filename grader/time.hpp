@@ -19,8 +19,11 @@ std::optional<Time> parse_time(std::string_view);
 std::string time_problem(std::string_view);
 // In UTC: "2026-10-01T21:59:00Z".
 std::string format_time(Time);
-// The same for people: "2026-10-01 21:59 UTC", with seconds where there are any.
-std::string time_in_words(Time);
+// The offset from UTC that such a text is written with. Precondition: parse_time reads it.
+std::chrono::minutes offset_in(std::string_view);
+// For people, with seconds where there are any: "2026-10-01 21:59 UTC", or as clocks with that offset show it,
+// "2026-10-01 23:59 (UTC+02:00)".
+std::string time_in_words(Time, std::chrono::minutes offset = {});
 // A string with such a time, or a diagnostic.
 std::optional<Time> read_time(const Cursor&);
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "base/json_write.hpp"
 #include "grader/variant_trial.hpp"
 
 namespace blossom {
@@ -68,6 +69,46 @@ Diagnostics at_vary(const VariantMaker::Prepared& prepared, const std::vector<st
   return diagnostics;
 }
 
+// What draws that come to values have in each place that varies.
+class Seen {
+ public:
+  explicit Seen(const VariantMaker::Prepared& prepared) : prepared_(&prepared) {}
+
+  void add(const Json& inputs) {
+    const auto& slots = prepared_->vary.slots;
+    first_.resize(slots.size());
+    varies_.resize(slots.size());
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      if (varies_[i]) continue;
+      std::string here = write_json(at_path(inputs, slots[i].path));
+      if (first_[i].empty())
+        first_[i] = std::move(here);
+      else
+        varies_[i] = here != first_[i];
+    }
+  }
+
+  // Ranges of more values than one that are always the same.
+  Diagnostics check(std::size_t draws) const {
+    constexpr std::size_t least = 20;
+    Diagnostics diagnostics;
+    if (draws < least) return diagnostics;
+    const Cursor list = *Cursor(prepared_->document, diagnostics).optional("vary")->optional("inputs");
+    for (std::size_t i = 0; i < first_.size(); ++i) {
+      const Slot& slot = prepared_->vary.slots[i];
+      if (!varies_[i] && prepared_->vary.choices[slot.choices].count > 1)
+        list[slot.entry].error(slot.name + " never varies: in each of " + std::to_string(draws) +
+                               " draws that have the model's steps it is " + printable(first_[i]));
+    }
+    return diagnostics;
+  }
+
+ private:
+  const VariantMaker::Prepared* prepared_;
+  std::vector<std::string> first_;
+  std::vector<bool> varies_;
+};
+
 // Whether it is about the values of a run, not about how one comes to it.
 bool is_of_values(Demand::Kind kind) { return kind > Demand::Kind::same_steps; }
 
@@ -123,6 +164,7 @@ Diagnostics VariantMaker::check() const {
   VariantStream stream("", prepared_->model.id, "");
   Json inputs = prepared_->inputs;
   Counts unmet;
+  Seen seen(*prepared_);
   std::size_t draws = 0, acceptable = 0, sampled = 0;
   // Of those that come to values, each demand is looked at for itself, so that all that is never met is named.
   for (; sampled < sample && draws < most; ++draws) {
@@ -138,7 +180,9 @@ Diagnostics VariantMaker::check() const {
       unmet[demand].why = std::move(why);
     }
     acceptable += here.empty() ? 1 : 0;
-    sampled += trial.exercise() ? 1 : 0;
+    if (!trial.exercise()) continue;
+    ++sampled;
+    seen.add(inputs);
   }
   if (sampled == 0) {
     const auto& [demand, count] =
@@ -147,6 +191,8 @@ Diagnostics VariantMaker::check() const {
                    {"no draw is acceptable: of " + std::to_string(draws) + " draws, in " + std::to_string(count.times) +
                     " " + demand_text(*prepared_, demand) + "; in the last of them, " + count.why});
   }
+  if (auto never = check_ranges(*prepared_); !never.empty()) return never;
+  if (auto never = seen.check(sampled); !never.empty()) return never;
   if (const auto messages = never_met(*prepared_, unmet, sampled); !messages.empty())
     return at_vary(*prepared_, messages);
   for (; acceptable < enough && draws < most; ++draws) {

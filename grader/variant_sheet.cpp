@@ -5,6 +5,7 @@
 #include "grader/page/assets.hpp"
 #include "grader/page/html.hpp"
 #include "grader/page/student_page.hpp"
+#include "lesson/prose.hpp"
 
 namespace blossom {
 namespace {
@@ -87,12 +88,12 @@ std::string points_table(std::span<const HPoint<Exact>> points, int dimension, b
   return table_of(columns, caption);
 }
 
-std::string knots_table(const std::vector<Exact>& knots, const std::string& caption) {
+std::string knots_table(const std::vector<Exact>& knots, std::string_view symbol, const std::string& caption) {
   Columns columns;
   columns.row_heads = {"knot"};
   columns.rows.emplace_back();
   for (std::size_t i = 0; i < knots.size(); ++i) {
-    columns.heads.push_back(subscript("u", i));
+    columns.heads.push_back(subscript(symbol, i));
     columns.rows[0].push_back(format_number(knots[i]));
   }
   return table_of(columns, caption);
@@ -104,7 +105,7 @@ std::string of_curve(const Curve<Exact>& curve, const std::string& which) {
   const std::string degree = "degree " + std::to_string(curve.degree);
   std::string out = points_table(curve.points, curve.dimension, curve.rational, heads,
                                  "Control points" + which + " (" + degree + ")");
-  if (!curve.bezier) out += knots_table(curve.knots, "Knots" + which);
+  if (!curve.bezier) out += knots_table(curve.knots, "u", "Knots" + which);
   return out;
 }
 
@@ -118,7 +119,32 @@ std::string of_surface(const Surface<Exact>& surface) {
                                      std::to_string(surface.degree[1]) + ")");
   if (!surface.bezier)
     for (std::size_t d = 0; d < 2; ++d)
-      out += knots_table(surface.knots[d], d == 0 ? "Knots along u" : "Knots along v");
+      out += d == 0 ? knots_table(surface.knots[d], "u", "Knots along u")
+                    : knots_table(surface.knots[d], "v", "Knots along v");
+  return out;
+}
+
+// "(0, 2), (3, 4)": points without weights.
+std::string in_a_row(std::span<const HPoint<Exact>> points, int dimension) {
+  std::string out;
+  for (const auto& P : points) {
+    std::string text = "(" + format_number(P.x) + ", " + format_number(P.y);
+    if (dimension == 3) text += ", " + format_number(P.z);
+    if (!out.empty()) out += ", ";
+    out += "<span class=\"whole\">" + html_escape(text + ")") + "</span>";
+  }
+  return out;
+}
+
+// The rows of a net, each on a line of its own where it is not too long.
+std::string in_rows(const PointNet<Exact>& net) {
+  constexpr int most_on_line = 5;
+  const std::span<const HPoint<Exact>> points(net.points);
+  const auto columns = static_cast<std::size_t>(net.columns);
+  std::string out;
+  for (std::size_t first = 0; first < points.size(); first += columns)
+    out += "<div" + std::string(net.columns <= most_on_line ? " class=\"whole\">" : ">") +
+           in_a_row(points.subspan(first, columns), 3) + "</div>";
   return out;
 }
 
@@ -127,10 +153,11 @@ std::string given(const Run<Exact>& run) {
   std::string tables, numbers;
   for (const InputSpec& spec : run.algorithm->inputs) {
     const std::string name(spec.name);
-    const auto row = [&](const std::string& value) {
-      numbers += "<tr><th scope=\"row\"><i>" + html_escape(name) + "</i></th>" + element("td", value) + "<td>" +
+    const auto row_of_html = [&](const std::string& value) {
+      numbers += "<tr><th scope=\"row\"><i>" + html_escape(name) + "</i></th><td>" + value + "</td><td>" +
                  math_html(spec.description, *run.algorithm) + "</td></tr>";
     };
+    const auto row = [&](const std::string& value) { row_of_html(value.empty() ? "none" : html_escape(value)); };
     switch (spec.type) {
       case InputSpec::Type::curve:
         tables += of_curve(run.inputs.curve(name), "");
@@ -159,13 +186,17 @@ std::string given(const Run<Exact>& run) {
         row(all);
         break;
       }
-      case InputSpec::Type::points:
+      case InputSpec::Type::points: {
+        const auto& points = run.inputs.points(name);
+        row_of_html(points.points.empty() ? "none" : in_a_row(points.points, points.dimension));
+        break;
+      }
       case InputSpec::Type::net:
-        row(write_input<Exact>(run.inputs.values.find(name)->second));
+        row_of_html(in_rows(run.inputs.net(name)));
         break;
     }
   }
-  return tables + (numbers.empty() ? "" : "<table><tbody>" + numbers + "</tbody></table>\n");
+  return tables + (numbers.empty() ? "" : "<table class=\"numbers\"><tbody>" + numbers + "</tbody></table>\n");
 }
 
 std::string how_exact(const Part& part) {
@@ -184,6 +215,14 @@ std::string how_exact(const Part& part) {
       return "off by at most " + format_number((t.amount * Exact(100)).to_double()) + " %";
   }
   return "";
+}
+
+// A name that may go on in the next line behind its scope, and nowhere else: along_u.M[1][1].
+std::string breakable(std::string_view name) {
+  const std::size_t scope = name.rfind('.') + 1;
+  if (scope == 0) return html_escape(name);
+  return html_escape(name.substr(0, scope)) + "<wbr><span class=\"whole\">" + html_escape(name.substr(scope)) +
+         "</span>";
 }
 
 // What is written into the boxes of a part.
@@ -230,7 +269,7 @@ std::string answers(const Exercise& exercise, bool solutions) {
     out += "</tr></thead><tbody>\n";
     for (; first < end; ++first) {
       const Part& part = parts[first];
-      out += "<tr><th scope=\"row\"><code>" + html_escape(part.name) + "</code></th>";
+      out += "<tr><th scope=\"row\"><code>" + breakable(part.name) + "</code></th>";
       for (std::size_t c = 0; c < heads.size(); ++c) {
         std::string text;
         if (solutions && part.kind == ValueKind::list)
@@ -273,25 +312,37 @@ std::string room_and_way(const Exercise& exercise) {
          html_escape(file) + "</code></p>\n";
 }
 
+std::string_view who_has_these(Sharing sharing) {
+  switch (sharing) {
+    case Sharing::nobody_else:
+      return " Nobody else in your class has these numbers.";
+    case Sharing::some:
+      return " Others in your class have other numbers.";
+    case Sharing::everybody:
+      break;
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string sheet_head(std::string_view title) { return page_head(title, assets::sheet_css); }
 
-std::string sheet_page(const Exercise& variant, const Student& student, bool solutions) {
+std::string sheet_page(const Exercise& variant, const Student& student, bool solutions, Sharing sharing) {
   std::string out = "<section class=\"sheet\">\n<header><span class=\"name\">" +
                     html_escape(student.name.empty() ? student.id : student.name) + "</span><span>";
   if (!student.section.empty()) out += section_text(student.section) + " · ";
   out += "ID " + html_escape(student.id) + "</span></header>\n";
   out += element("h1", (solutions ? "Solutions: " : "") + variant.title);
-  out += "\n<p>" + with_names(variant.prompt) + "</p>\n";
+  out += "\n<div class=\"prompt\">" + prose_html(read_prose(variant.prompt), *variant.run.algorithm) + "</div>\n";
   out += "<h2>Given</h2>\n<div class=\"given\">" + given(variant.run) + "</div>\n";
   out += "<h2>" + std::string(solutions ? "Right answers" : "Your answers") + "</h2>\n";
   out += answers(variant, solutions);
   if (!solutions) out += room_and_way(variant);
   out += "<p class=\"quiet\">Exercise <code>" + html_escape(variant.id) + "</code>, " +
-         number_text(variant.max_points) +
-         (solutions ? " points.</p>" : " points. The numbers are yours alone: nobody else's answers fit them.</p>") +
-         "\n</section>\n";
+         number_text(variant.max_points) + " points.";
+  if (!solutions) out += who_has_these(sharing);
+  out += "</p>\n</section>\n";
   return out;
 }
 

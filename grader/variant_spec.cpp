@@ -225,7 +225,7 @@ class VaryReader {
     if (!at.expect_object({"inputs", "require", "denominator", "likeness", "tolerance", "except"})) return;
     find_curves();
     if (const auto list = at.required("inputs"); list && list->expect_array(1, most_slots))
-      for (std::size_t i = 0; i < list->size(); ++i) read_range((*list)[i]);
+      for (std::size_t i = 0; i < list->size(); ++i) read_range((*list)[i], i);
     if (const auto list = at.optional("require"); list && list->expect_array())
       for (std::size_t i = 0; i < list->size(); ++i) read_requirement((*list)[i]);
     if (const auto n = at.optional("denominator"))
@@ -260,7 +260,7 @@ class VaryReader {
     }
   }
 
-  void read_range(const Cursor& at) {
+  void read_range(const Cursor& at, std::size_t entry) {
     if (!at.expect_object({"at", "integers", "fractions", "grid", "choose", "not"})) return;
     std::size_t kinds = 0;
     for (const char* kind : {"integers", "fractions", "grid", "choose"}) kinds += at.optional(kind) ? 1 : 0;
@@ -296,7 +296,7 @@ class VaryReader {
     }
     if (read.empty()) return;
     if (const auto no = at.optional("not")) read_not(*no, places);
-    for (const Place& place : places) add(*path, place, read.size());
+    for (const Place& place : places) add(*path, place, entry, read.size());
     for (Choices& choices : read) vary.choices.push_back(std::move(choices));
   }
 
@@ -307,7 +307,7 @@ class VaryReader {
   }
 
   // A place takes one draw, or one for each coordinate.
-  void add(const Cursor& at, const Place& place, std::size_t coordinates) {
+  void add(const Cursor& at, const Place& place, std::size_t entry, std::size_t coordinates) {
     const std::size_t first = vary.choices.size();
     for (const auto& [path, name] : taken_) {
       const std::size_t common = std::min(path.size(), place.path.size());
@@ -319,8 +319,11 @@ class VaryReader {
       return at.error("more than " + std::to_string(most_slots) + " numbers vary");
     const bool is_grid = coordinates > 1;
     for (std::size_t c = 0; c < coordinates; ++c) {
-      Slot slot{place.path, first + c};
-      if (is_grid) slot.path.push_back(static_cast<std::uint32_t>(c));
+      Slot slot{place.path, first + c, entry, c, place.name};
+      if (is_grid) {
+        slot.path.push_back(static_cast<std::uint32_t>(c));
+        slot.name += "[" + std::to_string(c) + "]";
+      }
       vary.slots.push_back(std::move(slot));
     }
   }

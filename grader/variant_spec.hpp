@@ -27,6 +27,9 @@ using JsonPath = std::vector<std::uint32_t>;
 struct Slot {
   JsonPath path;
   std::size_t choices = 0;
+  std::size_t entry = 0;       // of "inputs"
+  std::size_t coordinate = 0;  // of a grid's point
+  std::string name;            // "curve.points[1][0]"
 };
 
 // A demand on the control points of each curve.

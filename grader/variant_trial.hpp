@@ -58,6 +58,10 @@ struct VariantMaker::Prepared {
   std::string text(const Json& drawn) const;
 };
 
+// Values that "vary" names and nobody can be given, each at its place: of "choose" each that gives no run with the
+// model's steps, of other ranges an end that the algorithm does not take.
+Diagnostics check_ranges(const VariantMaker::Prepared&);
+
 // The next draw of a stream, into inputs that were the model's or drawn before.
 void draw(const Vary&, VariantStream&, Json& inputs);
 
@@ -70,6 +74,9 @@ class Trial {
   // Whether all demands are met. The cheapest are looked at first; those on values only if there is a run with the
   // model's steps.
   bool acceptable(const Unmet& unmet);
+
+  // Whether there is a run with the model's steps.
+  bool comes_to_values(const Unmet& unmet) { return check_inputs(unmet) && run(unmet); }
 
   // The variant, if it is acceptable.
   JsonDocument& document() { return *document_; }

@@ -434,8 +434,9 @@ std::strong_ordering operator<=>(const Exact& a, const Exact& b) {
 Exact abs(const Exact& x) { return x < Exact(0) ? -x : x; }
 
 Exact sqrt(const Exact& x) {
-  assert(x >= Exact(0));
+  // One that overflowed may be no number any more, and has no order: its root is none, either.
   if (x.kind_ == Exact::Kind::approximate) return ExactAccess::approximate(std::sqrt(x.approximate_));
+  assert(x >= Exact(0));
   if (x.kind_ == Exact::Kind::small) {
     const auto num = integer_sqrt(x.num_), den = integer_sqrt(x.den_);
     if (num && den) return ExactAccess::small(*num, *den);

@@ -4,6 +4,9 @@
 
 #include <chrono>
 #include <cstdio>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
 
 #include "grader/command.hpp"
 #include "grader/result.hpp"
@@ -21,7 +24,8 @@ constexpr const char* manual = R"(Examples:
       The exercise with the numbers of s17, on standard output.
   blossom-grade variant exercises/11-own-de-casteljau.json --roster roster.csv --secret-file course.secret --out own
       own/s17.json and so on, one file for each student, and own/sheet.html, a page for each to print; of a class above
-      1000, own/sheet-1.html, own/sheet-2.html, ...
+      1000, own/sheet-1.html, own/sheet-2.html, ... Says how many of the exercises differ: where the file leaves little
+      to choose from, several students have the same numbers.
   ... --answers
       And own/solutions.html, for the instructor.
 
@@ -92,9 +96,9 @@ class Sheets {
         solutions_(solutions),
         several_(students > most_pages) {}
 
-  Checked<bool> add(const Exercise& variant, const Student& student) {
+  Checked<bool> add(const Exercise& variant, const Student& student, Sharing sharing) {
     if (pages_ == 0) text_ = sheet_head(title_);
-    text_ += sheet_page(variant, student, solutions_);
+    text_ += sheet_page(variant, student, solutions_, sharing);
     return ++pages_ == most_pages ? write() : Checked<bool>(true);
   }
 
@@ -114,6 +118,26 @@ class Sheets {
   std::size_t pages_ = 0, files_ = 0;
 };
 
+// The files of a class's exercises, by student in the order of the roster, and how many of them are the same.
+struct Drawn {
+  std::vector<std::optional<std::string>> texts;  // nothing: there was no variant to be found
+  std::unordered_map<std::string_view, std::size_t> times;
+
+  Sharing sharing(const std::string& text) const {
+    if (times.size() == 1 && texts.size() > 1) return Sharing::everybody;
+    return times.at(text) == 1 ? Sharing::nobody_else : Sharing::some;
+  }
+};
+
+// What there is to know before the sheets are given out.
+void tell(const Drawn& drawn) {
+  std::size_t students = 0;
+  for (const auto& [text, times] : drawn.times) students += times;
+  const std::size_t variants = drawn.times.size();
+  std::printf("%zu student%s, %zu different variant%s%s\n", students, students == 1 ? "" : "s", variants,
+              variants == 1 ? "" : "s", variants < students ? ": some have the same numbers" : "");
+}
+
 int make_all(const Given& given, const JsonDocument& document, const Exercise& exercise, const std::string& secret) {
   const auto roster = Roster::load(given.roster);
   if (!roster) return complain(roster.diagnostics);
@@ -123,27 +147,38 @@ int make_all(const Given& given, const JsonDocument& document, const Exercise& e
   if (error) return complain({{given.out, 0, 0, "", "cannot be made: " + error.message()}}, machine_at_fault);
   std::optional<VariantMaker> maker;
   if (varies(document)) maker.emplace(document);
+  int status = done;
+  Drawn drawn;
+  {
+    Progress progress(roster->size());
+    for (std::size_t i = 0; i < roster->size(); ++i) {
+      progress.at(i);
+      const std::string id = roster->student(i).id;
+      const auto variant = maker ? maker->make(id, secret) : Checked<JsonDocument>(document);
+      if (!variant) status = complain(variant.diagnostics);
+      drawn.texts.push_back(variant ? std::optional(variant->text()) : std::nullopt);
+    }
+  }
+  for (const auto& text : drawn.texts)
+    if (text) ++drawn.times[*text];
   std::vector<Sheets> sheets;
   sheets.emplace_back(folder, "sheet", exercise.title, false, roster->size());
   if (given.answers) sheets.emplace_back(folder, "solutions", "Solutions: " + exercise.title, true, roster->size());
-  Progress progress(roster->size());
-  int status = done;
   for (std::size_t i = 0; i < roster->size(); ++i) {
-    progress.at(i);
+    if (!drawn.texts[i]) continue;
     const Student student = roster->student(i);
-    const auto variant = maker ? maker->make(student.id, secret) : Checked<JsonDocument>(document);
-    if (!variant) {
-      status = complain(variant.diagnostics);
-      continue;
-    }
-    const auto written = write_file(folder / (file_name_of(student.id) + ".json"), variant->text());
+    const std::string& text = *drawn.texts[i];
+    const std::string file = (folder / (file_name_of(student.id) + ".json")).string();
+    const auto written = write_file(file, text);
     if (!written) return complain(written.diagnostics, machine_at_fault);
-    const auto read = read_exercise(*variant);
+    const auto read = read_exercise(*JsonDocument::parse(file, text));
     for (Sheets& sheet : sheets)
-      if (const auto added = sheet.add(*read, student); !added) return complain(added.diagnostics, machine_at_fault);
+      if (const auto added = sheet.add(*read, student, drawn.sharing(text)); !added)
+        return complain(added.diagnostics, machine_at_fault);
   }
   for (Sheets& sheet : sheets)
     if (const auto last = sheet.write(); !last) return complain(last.diagnostics, machine_at_fault);
+  if (maker) tell(drawn);
   return status;
 }
 

@@ -35,6 +35,7 @@ struct ItemFigures {
   const Algorithm* algorithm = nullptr;  // null: its names are shown as they are typed
   std::array<std::uint64_t, verdict_count> verdicts{};
   Correlation with_rest;  // share of points, with the share of all other points
+  std::string asked;      // by a lesson's question; empty: it is a value that is asked for
 };
 
 struct Example {

@@ -127,7 +127,12 @@ std::string value_name(const std::string& name, const Algorithm* algorithm) {
 }
 
 std::string item_name(const ClassFigures& figures, const ItemFigures& item) {
-  return "<th scope=\"row\">" + value_name(item.value, item.algorithm) + "<span class=\"quiet\"> " +
+  const std::string name = item.asked.empty() ? value_name(item.value, item.algorithm)
+                                              : "<span class=\"asked\">" +
+                                                    (item.algorithm != nullptr ? math_html(item.asked, *item.algorithm)
+                                                                               : html_escape(item.asked)) +
+                                                    "</span>";
+  return "<th scope=\"row\">" + name + "<span class=\"quiet\"> " +
          (item.algorithm != nullptr ? "<code>" + html_escape(item.value) + "</code> " : "") +
          (figures.exercises.size() > 1 ? html_escape(item.exercise) : "") + "</span></th>";
 }

@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "grader/lesson_grader.hpp"
 #include "grader/page/class_figures.hpp"
 #include "grader/page/class_page.hpp"
 #include "grader/result.hpp"
@@ -119,7 +120,11 @@ struct ClassStatistics::Figures {
   Figures(std::string title, Write writer, const Assignment* assignment) : write(std::move(writer)) {
     figures.title = std::move(title);
     if (assignment == nullptr) return;
-    for (const Assignment::Item& item : assignment->items) algorithms[item.exercise.id] = item.exercise.run.algorithm;
+    for (const Assignment::Item& item : assignment->items) {
+      algorithms[item.exercise.id] = item.exercise.run.algorithm;
+      for (const Part& part : item.exercise.parts)
+        if (part.question) questions[{item.exercise.id, part.name}] = cut(plain_text(read_prose(part.question->ask)));
+    }
   }
 
   ClassFigures figures;
@@ -128,7 +133,8 @@ struct ClassStatistics::Figures {
   std::size_t pages = 0;
   std::map<std::pair<std::size_t, std::string>, std::size_t> item_of;
   std::map<std::string, std::size_t> exercise_of;
-  std::map<std::string, const Algorithm*> algorithms;  // by exercise
+  std::map<std::string, const Algorithm*> algorithms;                    // by exercise
+  std::map<std::pair<std::string, std::string>, std::string> questions;  // of lessons, by exercise and ID
 
   struct Share {
     std::size_t item;
@@ -158,7 +164,9 @@ struct ClassStatistics::Figures {
     }
     item_of[{exercise, value}] = figures.items.size();
     const std::string& id = figures.exercises[exercise];
-    figures.items.push_back({id, value, algorithm(id), {}, {}});
+    const auto question = questions.find({id, value});
+    figures.items.push_back(
+        {id, value, algorithm(id), {}, {}, question == questions.end() ? std::string() : question->second});
     return figures.items.size() - 1;
   }
 

@@ -1,7 +1,9 @@
 #include "grader/page/student_page.hpp"
 
 #include <algorithm>
+#include <numeric>
 
+#include "grader/lesson_grader.hpp"
 #include "grader/page/assets.hpp"
 #include "grader/page/html.hpp"
 #include "grader/page/run_html.hpp"
@@ -43,12 +45,12 @@ class StudentPage {
   void dates() {
     const Assignment& assignment = *result_.assignment;
     if (const auto due = result_.student.due ? result_.student.due : assignment.due)
-      out_ += "<p class=\"who\">Due " + time_in_words(*due) + "</p>\n";
+      out_ += "<p class=\"who\">Due " + time_in_words(*due, assignment.offset) + "</p>\n";
     const bool all_told = std::ranges::all_of(
         result_.exercises, [&](const ExerciseResult& made) { return exercise_of(made).feedback == Feedback::full; });
     if (assignment.full_feedback_from && !all_told)
-      out_ += "<p class=\"who\">The right values will be told from " + time_in_words(*assignment.full_feedback_from) +
-              " on</p>\n";
+      out_ += "<p class=\"who\">The right values will be told from " +
+              time_in_words(*assignment.full_feedback_from, assignment.offset) + " on</p>\n";
   }
 
   // With the numbers and the level of feedback of this student, where they are known.
@@ -118,8 +120,14 @@ class StudentPage {
 
   void prompt() {
     const Narrator<Exact> narrator(exercise_->run, 7);
-    out_ += "<p class=\"prompt\">" + math(narrator.fill(exercise_->prompt, 0)) + "</p>\n";
-    const auto& trace = exercise_->run.trace;
+    const Prose words = read_prose(narrator.fill(exercise_->prompt, 0));
+    out_ += "<div class=\"prompt\">" + prose_html(words, *exercise_->run.algorithm) + "</div>\n";
+    if (!exercise_->is_sheet()) numbers_of(exercise_->run, "The numbers of this exercise");
+  }
+
+  void numbers_of(const Run<Exact>& run, std::string_view title) {
+    const Narrator<Exact> narrator(run, 7);
+    const auto& trace = run.trace;
     std::string given;
     std::size_t count = 0;
     const auto [first, end] = trace.values_of(0);
@@ -129,16 +137,17 @@ class StudentPage {
       const bool listed = name.arity == 0 || trace.value(v).kind == ValueKind::point;
       if (!listed || !trace.is_input(v)) continue;
       ++count;
-      given += "<li>" + math_html(typeset_name(name, *exercise_->run.algorithm)) + " = " +
-               math(narrator.value_text(v)) + "</li>\n";
+      given += "<li>" + math_html(typeset_name(name, *run.algorithm)) + " = " +
+               math_html(narrator.value_text(v), *run.algorithm) + "</li>\n";
     }
     if (!given.empty())
-      out_ += "<details class=\"given\"><summary>The numbers of this exercise</summary>\n<ul>\n" + given +
+      out_ += "<details class=\"given\"><summary>" + std::string(title) + "</summary>\n<ul>\n" + given +
               "</ul></details>\n";
   }
 
   void lateness(const ExerciseResult& made, const Assignment::Item& item) {
-    if (made.submitted) out_ += "<p class=\"note\">Handed in " + time_in_words(*made.submitted) + ".</p>\n";
+    if (made.submitted)
+      out_ += "<p class=\"note\">Handed in " + time_in_words(*made.submitted, result_.assignment->offset) + ".</p>\n";
     if (made.days_late <= 0 || !made.grade) return;
     out_ +=
         "<p class=\"notice\">" + std::to_string(made.days_late) + (made.days_late == 1 ? " day" : " days") + " late";
@@ -199,33 +208,86 @@ class StudentPage {
   }
 
   void parts(const Grade& grade, const StudentRun& run) {
-    out_ +=
-        "<div class=\"scroll\"><table class=\"parts\">\n<thead><tr><th scope=\"col\">Value</th><th scope=\"col\">Your "
-        "answer</th><th scope=\"col\">Verdict</th><th scope=\"col\">Points</th>";
-    const bool advises = exercise_->feedback >= Feedback::hint;
-    if (advises) out_ += "<th scope=\"col\">What to know</th>";
+    if (exercise_->is_sheet()) return questions(grade, run);
+    std::vector<std::size_t> all(grade.parts.size());
+    std::iota(all.begin(), all.end(), 0);
+    table(grade, run, all, *exercise_->run.algorithm);
+    if (std::ranges::count(grade.parts, Verdict::carried, &PartGrade::verdict) > 0) note_on_carried();
+  }
+
+  // Of a lesson: those of each scene with its numbers.
+  void questions(const Grade& grade, const StudentRun& run) {
+    std::vector<std::vector<std::size_t>> asked(exercise_->scenes.size());
+    for (std::size_t i = 0; i < grade.parts.size(); ++i) asked[exercise_->parts[i].question->scene].push_back(i);
+    for (std::size_t s = 0; s < asked.size(); ++s) {
+      const Exercise& scene = exercise_->scenes[s];
+      if (asked[s].empty()) continue;
+      if (asked.size() > 1) out_ += "<h3>" + html_escape(scene.title) + "</h3>\n";
+      numbers_of(scene.run, "The numbers of these questions");
+      table(grade, run, asked[s], *scene.run.algorithm);
+    }
+    if (std::ranges::count(grade.parts, Verdict::carried, &PartGrade::verdict) > 0) note_on_carried();
+  }
+
+  void note_on_carried() {
+    out_ += "<p class=\"note\">Carried over: the right rule, on a value of yours that was wrong before.</p>\n";
+  }
+
+  void table(const Grade& grade, const StudentRun& run, const std::vector<std::size_t>& which,
+             const Algorithm& algorithm) {
+    const bool asks = exercise_->is_sheet(), advises = exercise_->feedback >= Feedback::hint;
+    out_ += "<div class=\"scroll\"><table class=\"parts" + std::string(asks ? " questions" : "") +
+            "\">\n<thead><tr><th scope=\"col\">" + (asks ? "Question" : "Value") +
+            "</th><th scope=\"col\">Your answer</th><th scope=\"col\">Verdict</th><th scope=\"col\">Points</th>";
+    if (advises && !asks) out_ += "<th scope=\"col\">What to know</th>";
     out_ += "</tr></thead>\n<tbody>\n";
     std::vector<std::string_view> said;
-    bool any_carried = false;
-    for (std::size_t i = 0; i < grade.parts.size(); ++i) {
+    for (const std::size_t i : which) {
       const Part& part = exercise_->parts[i];
       const PartGrade& graded = grade.parts[i];
-      any_carried = any_carried || graded.verdict == Verdict::carried;
       const Json* typed = run.typed()[i];
-      out_ += "<tr><th scope=\"row\">" + math(part.name) + "</th><td data-label=\"Your answer\" class=\"typed\">" +
+      out_ += "<tr><th scope=\"row\">" + (asks ? question(*part.question, typed, algorithm) : math(part.name)) +
+              "</th><td data-label=\"Your answer\" class=\"typed\">" +
               (typed == nullptr ? "–" : html_escape(typed_text(*typed))) + "</td><td data-label=\"Verdict\">" +
               sign_html(sign_of(standing_of(graded.verdict))) + "</td><td data-label=\"Points\" class=\"number\">" +
               number_text(graded.points) + " / " + number_text(part.points) + "</td>";
       if (advises) {
         const bool nothing = graded.verdict == Verdict::correct || graded.feedback.empty();
-        out_ += std::string("<td class=\"advice") + (nothing ? " none" : "") + "\">" +
-                (nothing ? std::string() : math(feedback(graded, said))) + "</td>";
+        const std::string advice = nothing ? std::string() : math_html(feedback(graded, said), algorithm);
+        // Below a question there is more room than beside it.
+        if (!asks)
+          out_ += std::string("<td class=\"advice") + (nothing ? " none" : "") + "\">" + advice + "</td>";
+        else if (!nothing)
+          out_ += "</tr>\n<tr class=\"more\"><td class=\"advice\" colspan=\"4\">" + advice + "</td>";
       }
       out_ += "</tr>\n";
     }
     out_ += "</tbody></table></div>\n";
-    if (any_carried)
-      out_ += "<p class=\"note\">Carried over: the right rule, on a value of yours that was wrong before.</p>\n";
+  }
+
+  // What was asked; of what there was to choose from or to put in order, what was taken and, where it is told, what is
+  // right.
+  std::string question(const Question& asked, const Json* typed, const Algorithm& algorithm) const {
+    std::string text = "<div class=\"ask\">" + prose_html(read_prose(asked.ask), algorithm) + "</div>";
+    if (asked.options.empty()) return text;
+    const bool is_line = asked.kind == Checkpoint::Kind::line, is_order = asked.kind == Checkpoint::Kind::order;
+    const bool tells = exercise_->feedback == Feedback::full;
+    const LetterMark mark = typed != nullptr ? mark_letters(asked, *typed) : LetterMark{};
+    text += is_line ? "<ol class=\"options code\">" : "<ol class=\"options\" type=\"a\">";
+    for (std::size_t i = 0; i < asked.options.size(); ++i) {
+      const std::string name = is_line ? std::to_string(i + 1) : letter_of(i);
+      const bool taken = !is_order && mark.verdict != Verdict::invalid && mark.choice == i;
+      const bool right = !is_order && (tells || (taken && mark.verdict == Verdict::correct)) && name == asked.right;
+      text += "<li>" + (is_line ? "<code>" + html_escape(asked.options[i]) + "</code>"
+                                : prose_html(read_prose(asked.options[i]), algorithm));
+      if (taken)
+        text += " " + sign_html({right ? "right" : "wrong", right ? "✓" : "✗", right ? "Right, yours" : "Yours"});
+      if (right && !taken) text += " " + sign_html({"right", "✓", "Right"});
+      if (is_order && tells)
+        text += " <span class=\"quiet\">place " + std::to_string(asked.right.find(name) + 1) + "</span>";
+      text += "</li>";
+    }
+    return text + "</ol>";
   }
 
   // Advice that was given already is only named.

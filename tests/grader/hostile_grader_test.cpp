@@ -118,6 +118,17 @@ TEST_CASE("knots at the end of what a double holds have no place where a share i
   }
 }
 
+TEST_CASE("numbers whose squares overflow end nothing, and nothing follows from them", "[hostile]") {
+  const Grader removal = shipped("34-knot-removal");
+  for (const char* answers : {R"({"removal[1].alpha[2]": "1e308", "removal[1].L[1]": ["1e308", 0]})",
+                              R"({"removal[1].alpha[3]": "1e308", "removal[1].b": "1e21"})"})
+    CHECK(grade_answers_to(removal, answers).score() == 0);
+
+  // The sum of the lengths is infinite: that 0 is a share of it earns nothing.
+  const Grader lengths = shipped("70-chord-length");
+  CHECK(verdict(grade_answers_to(lengths, R"({"d[1]": "1e308", "d[2]": "1e308", "t[1]": 0})"), "t[1]") == "wrong");
+}
+
 TEST_CASE("one long number at the beginning of a long computation is not carried on exactly", "[hostile]") {
   const auto grader = grader_of(exercise_text("de_casteljau", long_triangle(), R"([{"value": "P[*][*]", "points": 1}])",
                                               R"(, "tolerance": {"significant": 3})"));

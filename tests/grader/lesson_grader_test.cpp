@@ -297,6 +297,29 @@ TEST_CASE("a checkpoint is marked at once, with the words of the lesson and thos
   CHECK(mark(1, 1, "\"abc\"").verdict == Verdict::wrong);
 }
 
+TEST_CASE("what the grader says of a value has names as books write them, and none from a run within the run") {
+  const auto lesson = load_lesson(parsed(lesson_text));
+  REQUIRE(lesson);
+  CHECK(mark_checkpoint(*lesson, 0, *lesson->beats[1].checkpoint, json("[9, 9]")).note ==
+        "Not the right value. The rule is P₁⁽¹⁾ = (1 - α₁⁽¹⁾) P₀ + α₁⁽¹⁾ P₁.");
+  const auto removal =
+      load_lesson(*JsonDocument::load(std::filesystem::path(BLOSSOM_SOURCE_DIR) / "lessons/34-knot-removal.json"));
+  REQUIRE(removal);
+  for (const Beat& beat : removal->beats) {
+    if (!beat.checkpoint || beat.checkpoint->value != "removal[1].L[1]") continue;
+    const auto mark = mark_checkpoint(*removal, 0, *beat.checkpoint, json("[99, 98]"));
+    CHECK(mark.note == "Not the right value.");
+    CHECK(mark.right == "(0, 6)");
+  }
+}
+
+TEST_CASE("a language that the lesson lacks is a mistake") {
+  CHECK(read_sheet(parsed(lesson_text), "de"));
+  CHECK(read_sheet(parsed(lesson_text), "en"));
+  CHECK_THAT(to_string(read_sheet(parsed(lesson_text), "fr").diagnostics),
+             Catch::Contains("is not in the language \"fr\"; it is in en, de"));
+}
+
 TEST_CASE("in another run a checkpoint is about that run's values") {
   const auto lesson = load_lesson(parsed(lesson_text));
   REQUIRE(lesson);

@@ -229,6 +229,7 @@ TEST_CASE("who handed in what cannot be read is not told that nothing was handed
 TEST_CASE("a page has its dates in one form, and the points here beside the exercise's own", "[page]") {
   auto assignment = assignment_of(exercise, Feedback::verdict);
   assignment.due = *parse_time("2026-10-01T23:59:00+02:00");
+  assignment.offset = std::chrono::hours{2};
   assignment.full_feedback_from = *parse_time("2026-10-20T00:00:30Z");
   assignment.items[0].points = assignment.max_points = 21;
   Examiner examiner(std::move(assignment), "", *parse_time("2026-10-05T12:00:00Z"));
@@ -242,11 +243,11 @@ TEST_CASE("a page has its dates in one form, and the points here beside the exer
   Student student;
   student.id = "s17";
   const std::string page = student_page(grade_student(examiner, student, submissions));
-  CHECK(has(page, "Due 2026-10-01 21:59 UTC"));
-  CHECK(has(page, "The right values will be told from 2026-10-20 00:00:30 UTC on"));
-  CHECK(has(page, "Handed in 2026-10-01 09:00 UTC."));
+  CHECK(has(page, "Due 2026-10-01 23:59 (UTC+02:00)"));
+  CHECK(has(page, "The right values will be told from 2026-10-20 02:00:30 (UTC+02:00) on"));
+  CHECK(has(page, "Handed in 2026-10-01 11:00 (UTC+02:00)."));
   CHECK(has(page, "Handed in more than once: try-0.json does not count; the last one does"));
-  CHECK(has(page, "of 2026-10-01 09:00 UTC."));
+  CHECK(has(page, "of 2026-10-01 11:00 (UTC+02:00)."));
   CHECK(has(page, "Together 1 of 7, which is 3 of 21 points here."));
 }
 
@@ -272,6 +273,38 @@ TEST_CASE("below hints a kind of mistake is not named", "[page]") {
     CHECK(has(theirs, R"("verdict":"wrong")") == (level == Feedback::verdict));
     CHECK(has(instructors, R"("verdict":"misconception")"));
   }
+}
+
+TEST_CASE("a page on a lesson has its questions, what there was to choose from, and each scene's numbers", "[page]") {
+  const std::string lesson = R"({"schema": "blossom.lesson/1", "id": "asked", "title": "Asked", "scenes": [
+    {"id": "one", "title": "First", "algorithm": "de_casteljau",
+     "inputs": {"curve": {"degree": 1, "points": [[0, 0], [31, 8]]}, "u": "1/4"},
+     "beats": [{"at": "start", "say": "a", "checkpoint": {"id": "why", "kind": "choice",
+       "ask": "Why is u = {u} **there**?", "choices": [{"text": "since < P[0][1]"}, {"text": "so", "right": true}]}}]},
+    {"id": "two", "title": "Second", "algorithm": "de_casteljau",
+     "inputs": {"curve": {"degree": 1, "points": [[0, 0], [47, 8]]}, "u": "1/2"},
+     "beats": [{"at": "start", "say": "b",
+                "checkpoint": {"id": "sort", "kind": "order", "ask": "Sort.", "items": ["uno", "due", "tre"]}},
+               {"at": "P[1][0]", "say": "c", "checkpoint": {"id": "next", "kind": "line", "ask": "Next?"}}]}]})";
+  const auto page = [&](Feedback level) {
+    return page_of(
+        lesson, level,
+        {"", R"({"schema": "blossom.answers/1", "exercise": "asked", "answers": {"why": "a", "sort": "abc"}})"});
+  };
+  const std::string full = page(Feedback::full);
+  CHECK(has(full, "<p>Why is <i>u</i> = 1/4 <strong>there</strong>?</p>"));
+  CHECK(has(full, "since &lt; "));
+  CHECK(count(full, "</span> Yours</span>") == 1);
+  CHECK(count(full, "</span> Right</span>") == 2);  // of the choice and of the line that nobody took
+  CHECK(count(full, "<span class=\"quiet\">place ") == 3);
+  CHECK(has(full, "<h3>First</h3>"));
+  CHECK(has(full, "(31, 8)"));
+  CHECK(has(full, "(47, 8)"));
+
+  const std::string hint = page(Feedback::hint);
+  CHECK(count(hint, "</span> Yours</span>") == 1);
+  CHECK_FALSE(has(hint, "</span> Right</span>"));
+  CHECK_FALSE(has(hint, "place "));
 }
 
 TEST_CASE("who handed in nothing sees the numbers of their own", "[page]") {

@@ -77,7 +77,6 @@ const std::map<std::string, std::string> shows_nowhere{
     {"velocities whole-support", "the knots of a Bezier curve are 1 apart"},
     {"local-interpolation swapped-weights", "uniform parameters: both slopes count one half"},
     {"own-tangents swapped-weights", "uniform parameters: both slopes count one half"},
-    {"basis-functions swapped-quotients", "the book's example: u is in the middle of its knots"},
     {"blossom neighbour-knot", "on a Bezier curve each ratio is the argument, whatever the level"},
     {"closed-curve swapped-weights", "uniform knots, at a knot: both weights are 1/2"},
     {"knot-removal swapped-weights", "the knot is in the middle: both weights are 1/2"},

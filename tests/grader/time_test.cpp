@@ -85,6 +85,16 @@ TEST_CASE("of a day that does not exist it is told how many days the month has",
   CHECK(time_problem("").starts_with("must be a time with its offset"));
 }
 
+TEST_CASE("people are told a time as clocks with the file's offset show it", "[time]") {
+  const auto told = [](const std::string& text) { return time_in_words(*parse_time(text), offset_in(text)); };
+  CHECK(told("2026-10-01T23:59:00+02:00") == "2026-10-01 23:59 (UTC+02:00)");
+  CHECK(told("2026-10-01T23:59:07-03:30") == "2026-10-01 23:59:07 (UTC-03:30)");
+  CHECK(told("2026-10-01T23:59:00.5Z") == "2026-10-01 23:59 UTC");
+  CHECK(told("2026-10-01T23:59:00+00:00") == "2026-10-01 23:59 UTC");
+  CHECK(told("9999-12-31T23:59:59Z") == "9999-12-31 23:59:59 UTC");
+  CHECK(time_in_words(*parse_time("2026-10-01T21:59:00Z")) == "2026-10-01 21:59 UTC");
+}
+
 TEST_CASE("a time in a document is read, or told", "[time]") {
   const auto document = JsonDocument::parse("a.json", R"({"due": "2026-10-01T23:59:00+02:00", "bad": "soon", "n": 3})");
   REQUIRE(document);

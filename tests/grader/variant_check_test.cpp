@@ -125,6 +125,39 @@ TEST_CASE("Demands on values that are never met are named") {
   }
 }
 
+TEST_CASE("A value that nobody can be given is named at its place") {
+  const auto said = [](const std::string& vary) {
+    return lint(exercise("de_casteljau", quadratic, all, "{\"inputs\": [" + points + ", " + vary + "]}"));
+  };
+  const std::string text = said(R"({"at": "u", "choose": ["1/3", "x", "2/3", 5]})");
+  INFO(text);
+  CHECK(has(text, "vary.inputs[1].choose[1]: nobody can be given this: with u = x the algorithm does not take"));
+  CHECK(has(text, "vary.inputs[1].choose[3]: nobody can be given this: with u = 5 the algorithm does not take"));
+  CHECK_FALSE(has(text, "choose[0]"));
+  CHECK_FALSE(has(text, "choose[2]"));
+  CHECK(has(said(R"({"at": "u", "choose": ["1/3", 1], "not": "a knot"})"),
+            "choose[1]: nobody can be given this: with u = 1 "));
+  CHECK(has(said(R"({"at": "u", "fractions": {"denominators": [3], "from": 0, "to": 2}})"),
+            "fractions.to: nobody can be given this: with u = 5/3 "));
+
+  SECTION("unless other numbers that vary, too, make it possible") {
+    const auto spline = exercise(
+        "de_boor",
+        R"({"curve": {"degree": 2, "knots": [0, 0, 0, 2, 2, 2], "points": [[1, 1], [3, 6], [8, 2]]}, "u": "2/3"})",
+        R"([{"value": "P[1][*]", "points": 1}])",
+        R"({"inputs": [)" + points + R"(, {"at": "curve.knots", "choose": [[0, 0, 0, 2, 2, 2], [0, 0, 0, 5, 5, 5]]},
+                       {"at": "u", "choose": ["2/3", "5/3", "10/3"]}]})");
+    CHECK(lint(spline) == "");
+  }
+}
+
+TEST_CASE("A range of which one value alone gives the model's steps is named") {
+  const std::string text = lint(exercise(
+      "de_casteljau", quadratic, all, "{\"inputs\": [" + points + R"(, {"at": "curve.degree", "integers": [2, 4]}]})"));
+  INFO(text);
+  CHECK(has(text, "vary.inputs[1].integers[1]: nobody can be given this: with curve.degree = 4 "));
+}
+
 TEST_CASE("What is chosen may be anything: what the algorithm does not take is not acceptable") {
   for (const char* chosen :
        {R"({"at": "profiles", "choose": [[], 7, null, {"a": 1}]})",

@@ -124,6 +124,15 @@ TEST_CASE("a rounded weight carries as the one that was meant") {
   CHECK(verdict(grade_answers(*grader, R"({"P[1][0]": [3, 3, 0.33], "C": [3.43, 2.59]})"), "C") == "wrong");
 }
 
+TEST_CASE("a derivative of a rational curve may be typed without its weight, which is 0") {
+  const Grader derivatives = shipped("46-derivatives");
+  CHECK(verdict(grade_answers_to(derivatives, R"({"D[1]": [-1, 0]})"), "D[1]") == "correct");
+  CHECK(verdict(grade_answers_to(derivatives, R"({"D[1]": [-1, 0, 0]})"), "D[1]") == "correct");
+  CHECK(verdict(grade_answers_to(derivatives, R"({"D[1]": [-1, 1]})"), "D[1]") != "correct");
+  // Those of the homogeneous curve have a weight that has to be said.
+  CHECK(verdict(grade_answers_to(derivatives, R"({"P[1][1]": [-2, 2]})"), "P[1][1]") == "invalid");
+}
+
 TEST_CASE("irrational values carry like others") {
   const auto grader = grader_of(exercise_text(
       "skinning", skinning_inputs,
@@ -406,4 +415,23 @@ TEST_CASE("feedback tells as much as the exercise allows") {
   CHECK(told("hint") == "Not the right value. The rule is alpha[1][3] = (u - u_3) / (u_6 - u_3).");
   CHECK(told("full").starts_with("Not the right value. Right is alpha[1][3] = (u - u_3) / (u_6 - u_3) = "));
   CHECK(told("full").ends_with(" = 8/15."));
+}
+
+TEST_CASE("a rule is told if it helps: in words as words, and none of names that nobody was asked for") {
+  const auto told = [](const std::string& algorithm, const std::string& inputs, const std::string& value,
+                       const std::string& level, const std::string& more = "") {
+    const auto grader =
+        grader_of(exercise_text(algorithm, inputs, "[{\"value\": \"" + value + "\", \"points\": 1}" + more + "]",
+                                ", \"feedback\": \"" + level + "\""));
+    return part(grade_answers(*grader, "{}"), value).feedback;
+  };
+  CHECK(told("de_boor", de_boor_inputs, "k", "hint") == "No answer. It is the index k of the span of U that holds u.");
+  const std::string surface =
+      R"({"surface": {"degree": [1, 2], "points": [[[0, 0, 0], [0, 2, 4], [0, 8, 8]],
+                      [[6, 0, 4], [6, 2, 6], [6, 8, 4]]]}, "direction": "v", "t": "1/2"})";
+  CHECK(told("surface_subdivision", surface, "L[0][1]", "hint") == "No answer.");
+  CHECK(told("surface_subdivision", surface, "L[0][1]", "full") == "No answer. Right is L[0][1] = (0, 1, 2).");
+  const std::string row = R"(, {"value": "row[0].Q[1][1]", "points": 1})";
+  CHECK(told("surface_subdivision", surface, "L[0][1]", "hint", row) ==
+        "No answer. The rule is L[0][1] = row[0].Q[1][1].");
 }
