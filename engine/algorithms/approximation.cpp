@@ -118,7 +118,7 @@ const Algorithm& approximation() {
          {"i", "j"},
          "the entry of row i and column j of the normal equations",
          6,
-         "Column {i} times column {j}: {name} = {result}.",
+         "Column {i} times column {j}, {@0} · {@1} and the other products added up: {name} = {value}.",
          ValueSpec::Draw::none,
          false},
         {"R", {"i", "k"}, "the right-hand side of row i up to point k", 7, "Point {k} adds its part: {chain}."},

@@ -114,7 +114,7 @@ const Algorithm& bernstein() {
     a.phases = {
         {"degree", "Degree {index}", 2,
          "From degree to degree: each polynomial gives 1-u of itself to the one below, and u to the next one."},
-        {"point", "The point", 7, "The polynomials are what the control points count."},
+        {"point", "The point", 7, "Each control point counts as much as its polynomial says."},
     };
     a.rules = {&rule_info<RestOf>, &rule_info<BlendNumbers>, &rule_info<PartOf>, &rule_info<Total>,
                &rule_info<Share>,  &rule_info<AddShare>,     &rule_info<Same>};

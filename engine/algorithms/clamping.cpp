@@ -41,8 +41,7 @@ const Algorithm& clamping() {
     a.inputs = {{"curve", InputSpec::Type::curve, "A curve of any kind: open, or closed with periodic knots."}};
     a.pseudo_code = {
         "a = u_p, b = u_{n+1}: the domain",
-        "insert a until it has multiplicity p: see knot insertion",
-        "insert b until it has multiplicity p",
+        "insert a, then b, until each has multiplicity p: see knot insertion",
         "W = a p+1 times, the knots inside, b p+1 times",
         "Q = the points from the one at a to the one at b",
     };
@@ -56,21 +55,21 @@ const Algorithm& clamping() {
         {"W",
          {},
          "the knots of the clamped curve",
-         4,
+         3,
          "What lies outside of the domain is left out, and each end is written once more: W = {value}."},
         {"Q",
          {"i"},
          "the control point i of the clamped curve",
-         5,
+         4,
          "The control points of the clamped curve: the first and the last lie on the curve.",
          ValueSpec::Draw::polygon},
     };
     a.phases = {
         {"clamp", "Clamp", 2, "The curve is not clamped: its ends become knots of full multiplicity."},
         {"end", "End {index}", 2,
-         "An end of the domain (0: the begin, 1: the end) is inserted until it has "
+         "An end of the domain (0: the beginning, 1: the end) is inserted until it has "
          "multiplicity p."},
-        {"collect", "The clamped curve", 5, "The curve begins and ends in a control point now."},
+        {"collect", "The clamped curve", 4, "The curve begins and ends in a control point now."},
     };
     a.rules = {&rule_info<LastKnot>, &rule_info<Multiplicity>, &rule_info<Ratio>,  &rule_info<Blend>,
                &rule_info<Same>,     &rule_info<InsertKnot>,   &rule_info<Gather>, &rule_info<SameNumber>};

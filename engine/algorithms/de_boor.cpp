@@ -60,25 +60,23 @@ const Algorithm& de_boor() {
     a.values = {
         {"p", {}, "the degree"},
         {"u", {}, "the parameter"},
-        {"U", {}, "the knot vector"},
+        {"U", {}, "the knot vector", 0, "Level 0 is P[0][i], the control points of this curve. Its knots are {value}."},
         {"U", {"i"}, "the knot u_i"},
         {"k",
          {},
          "the span of u",
          1,
-         "u = {u} belongs to the span from u_{k} = {U[k]} to u_{k+1} = {U[k+1]}, so k = {k}: only the control points "
-         "from "
-         "index {k-p} "
-         "to {k} count."},
+         "{@1} belongs to the span from {U[k]} to {U[k+1]}, the knots of index {k} and {k+1}. So k = {k}: only the "
+         "control points from index {k-p} to {k} count."},
         {"s",
          {},
          "the multiplicity of u",
          2,
-         "How often is {u} a knot already? s = {s}, so there are p - s = {p-s} levels to compute.",
+         "How often is {@0} a knot already? s = {s}, so there are p - s = {p-s} levels to compute.",
          ValueSpec::Draw::none,
          false,
          {{"", "s-p+1", 0,
-           "u = {u} is a knot of multiplicity s = {s}, and the degree is p = {p}: the curve passes through a control "
+           "{@0} is a knot of multiplicity s = {s}, and the degree is p = {p}: the curve passes through a control "
            "point "
            "there, and no level is left to compute."}}},
         {"alpha", {"r", "i"}, "the ratio for P[r][i]", 5, "alpha[{r}][{i}] = {chain}."},
@@ -89,8 +87,7 @@ const Algorithm& de_boor() {
          "Level {r}: P[{r}][{i}] divides the segment from {#P[r-1][i-1]} to {#P[r-1][i]} at alpha = {alpha[r][i]}: "
          "(1 - {alpha[r][i]}) {~P[r-1][i-1]} + {alpha[r][i]} {~P[r-1][i]} = {made}.",
          ValueSpec::Draw::level,
-         true,
-         {{"same", "", 0, "The control points of this curve, and u = {u}."}}},
+         true},
         {"C",
          {},
          "the point on the curve",

@@ -139,7 +139,7 @@ const Algorithm& horner() {
     };
     a.phases = {
         {"point", "The point", 1,
-         "Written as a[0] + u (a[1] + u (a[2] + ...)), the polynomial needs one multiplication for each coefficient."},
+         "Written as a[0] + u (a[1] + u (a[2] + ...)), the polynomial of degree n needs n multiplications by u."},
         {"tangent", "The tangent vector", 5,
          "What the scheme made on its way, b[1] to b[n], are the coefficients of a second polynomial, whose value "
          "is the derivative."},

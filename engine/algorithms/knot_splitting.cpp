@@ -97,8 +97,8 @@ const Algorithm& knot_splitting() {
         {"U", {}, "the knot vector"},
         {"U", {"i"}, "the knot u_i"},
         {"P", {"r", "i"}, "the control point i (r = 0)", 0, "", ValueSpec::Draw::level},
-        {"k", {}, "the last knot equal to u", 1, "The last copy of u = {@0} is u_{k}."},
-        {"s", {}, "the multiplicity of u", 1, "There are s = {s} copies of u = {@0}."},
+        {"k", {}, "the last knot equal to u", 1, "The last copy of {@0} has the index k = {k}."},
+        {"s", {}, "the multiplicity of u", 1, "There are s = {s} copies of {@0}."},
         {"g", {}, "the distance to the nearer neighbour", 2, "How far is it to the next knots? {chain}."},
         {"h", {}, "how far the outermost copies move", 3, "The outermost copies move by h = {chain}."},
         {"a", {"j"}, "the numerator 2j - s + 1"},
@@ -110,12 +110,12 @@ const Algorithm& knot_splitting() {
          "Copy {j} goes to t[{j}] = {result}, where the first is at -1 "
          "and the last at 1."},
         {"V", {"i"}, "the moved knot i", 6, "{name} = {chain}."},
-        {"V", {}, "the new knot vector", 7, "The new knots are V = {value}. The control points stay where they are."},
+        {"V", {}, "the new knot vector", 7, "The new knots are V = {value}."},
         {"Q",
          {"i"},
          "the control point i of the new curve",
          7,
-         "The control points stay where they are.",
+         "They stay where they are, and are now those of another curve.",
          ValueSpec::Draw::polygon},
         {"C",
          {"i"},
@@ -131,10 +131,10 @@ const Algorithm& knot_splitting() {
     };
     a.phases = {
         {"old", "The old point at u", 8, "How much does the curve change? First its point at u before."},
-        {"net", "The same control points", 7, "The control points stay, and are now those of another curve."},
+        {"net", "The same control points", 7, "What happens to the control points?"},
         {"new", "The new point at u", 8, "Now the point at u over the new knots."},
     };
-    a.rules = {&rule_info<LastKnot>, &rule_info<Multiplicity>, &rule_info<NearestKnot>, &rule_info<PartOf>,
+    a.rules = {&rule_info<LastKnot>, &rule_info<Multiplicity>, &rule_info<NearestKnot>, &rule_info<PartOfGap>,
                &rule_info<Fraction>, &rule_info<SpreadKnot>,   &rule_info<Gather>,      &rule_info<Same>,
                &rule_info<Project>,  &rule_info<Distance>,     &rule_info<FindSpan>,    &rule_info<Ratio>,
                &rule_info<Blend>,    &rule_info<Reparametrize>};

@@ -10,6 +10,12 @@
 
 namespace blossom {
 
+std::span<const std::string_view> placeholder_words() {
+  static constexpr std::array<std::string_view, 8> words{"value", "name",   "formula", "numbers",
+                                                         "made",  "result", "chain",   "polar"};
+  return words;
+}
+
 template <Scalar S>
 struct Narrator<S>::Context {
   std::uint32_t step;
@@ -80,7 +86,8 @@ int Narrator<S>::line(std::uint32_t step) const {
 
 template <Scalar S>
 auto Narrator<S>::context_at(std::uint32_t step) const -> Context {
-  Context context{step, trace().main_value(step), "", nullptr, trace().step(step).phase};
+  // What is given at the start is given together: none of it is the step's own.
+  Context context{step, step > 0 ? trace().main_value(step) : absent, "", nullptr, trace().step(step).phase};
   if (context.value == absent) return context;
   context.spec = spec_of(algorithm_at(step), *run_->algorithm, trace().value(context.value).name);
   // Other values of the step are looked up where the phase is, not where an outer name belongs.
@@ -110,28 +117,25 @@ std::string Narrator<S>::phase_title(std::uint32_t phase) const {
 }
 
 template <Scalar S>
-std::string Narrator<S>::text(std::uint32_t step) const {
+std::string Narrator<S>::text_template(std::uint32_t step) const {
   const Algorithm& algorithm = algorithm_at(step);
-  std::string_view narration;
   if (const std::uint32_t phase = trace().introduced_by(step); phase != absent) {
-    const auto& record = trace().phases()[phase];
-    const PhaseSpec* spec = algorithm.phase(record.id);
-    narration = spec != nullptr ? spec->narration : std::string_view("Next: {phase}.");
-  } else {
-    const Context context = context_at(step);
-    if (step == 0 || context.value == absent) {
-      narration = algorithm.given_narration;
-    } else if (context.spec == nullptr) {
-      narration = "{name} = {chain}";
-    } else if (trace().is_input(context.value)) {
-      return fill("{name} = {value}: ", step) + std::string(context.spec->meaning) + ".";
-    } else {
-      const ValueSpec::Case* special = case_at(context);
-      narration = special != nullptr && !special->narration.empty() ? special->narration : context.spec->narration;
-      if (narration.empty()) narration = "{name} = {chain}";
-    }
+    const PhaseSpec* spec = algorithm.phase(trace().phases()[phase].id);
+    return std::string(spec != nullptr ? spec->narration : "Next: {phase}.");
   }
-  return fill(narration, step);
+  const Context context = context_at(step);
+  if (context.value == absent) return std::string(algorithm.given_narration);
+  if (context.spec == nullptr) return "{name} = {chain}";
+  if (trace().is_input(context.value)) return "{name} = {value}: " + std::string(context.spec->meaning) + ".";
+  const ValueSpec::Case* special = case_at(context);
+  const std::string_view narration =
+      special != nullptr && !special->narration.empty() ? special->narration : context.spec->narration;
+  return std::string(narration.empty() ? "{name} = {chain}" : narration);
+}
+
+template <Scalar S>
+std::string Narrator<S>::text(std::uint32_t step) const {
+  return fill(text_template(step), step);
 }
 
 // Several numbers in parentheses. Where decimals are rounded, what rounding errors left of a zero is shown as 0.
@@ -498,7 +502,8 @@ std::string Narrator<S>::fill_in(std::string_view text, const Context& context,
   std::string filled;
   std::size_t code = 0;  // up to here a dollar sign is only one
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '\\' && i + 1 < text.size() && (text[i + 1] == '$' || text[i + 1] == '`' || text[i + 1] == '\\')) {
+    if (text[i] == '\\' && i + 1 < text.size() &&
+        std::string_view("$`\\{}").find(text[i + 1]) != std::string_view::npos) {
       filled += text.substr(i++, 2);
       continue;
     }

@@ -14,14 +14,21 @@
 //   {chain} {result}   formula = numbers = value, and numbers = value, without saying anything twice
 //   {polar}       the polar label of the main value
 //   {r}           an index of the main value, by its name in the algorithm's table; {index}: the phase's index
+//   {k-p}         a sum of such whole numbers
+// Step 0 shows all that is given and has no main value. A brace that is to be seen is written \{ or \}.
 // In a formula ($...$ and $$...$$, see math.hpp) braces are TeX's. There a placeholder is \value{P[r-1][i]}, which
 // stands for the value in TeX, (3, \frac{1}{2}), and takes what stands for values above: \value{value}, \value{@0},
 // \value{r}, \value{~P[1][0]}; or \name{P[r-1][i]}, which stands for the name as books write it, P_{3}^{(1)}. A dollar
 // sign that begins no formula is written \$. A placeholder that names nothing is a mistake: fill tells it.
 
+#include <span>
+
 #include "algorithms/run.hpp"
 
 namespace blossom {
+
+// The placeholders that are words, all about a step's own value: value, name, formula, ...
+std::span<const std::string_view> placeholder_words();
 
 // How values are shown as text: fractions or shortest decimals; points as (x, y), with their weight where rational.
 template <Scalar S>
@@ -40,8 +47,10 @@ class Narrator {
   std::string kind(std::uint32_t step) const;  // "given", "phase", or the rule's name
   int line(std::uint32_t step) const;          // of algorithm_at(step)'s pseudo-code; 0: none
   std::string text(std::uint32_t step) const;  // the narration
-  std::string value_text(ValueId) const;       // "(1/2, 3)", "(1, 2), w = 2", "2/5", "(0, 0, 1, 1)"
-  std::string operand_text(ValueId) const;     // the same, but a point of a rational curve as (wx, wy, w)
+  // The template of that narration: of the words for special cases those that apply to this step.
+  std::string text_template(std::uint32_t step) const;
+  std::string value_text(ValueId) const;    // "(1/2, 3)", "(1, 2), w = 2", "2/5", "(0, 0, 1, 1)"
+  std::string operand_text(ValueId) const;  // the same, but a point of a rational curve as (wx, wy, w)
   // Where an equation ends: of a rational curve's point (wx, wy, w), which is what was computed, and then the point.
   std::string made_text(ValueId) const;
   // Knots are written u_3 there, as in books.

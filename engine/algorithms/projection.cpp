@@ -51,7 +51,9 @@ const Algorithm& projection() {
     a.id = "projection";
     a.family = Family::evaluation;
     a.title = "A NURBS curve from above";
-    a.summary = "A rational plane curve as the shadow of a polynomial curve in space, whose heights are the weights.";
+    a.summary =
+        "A rational plane curve as the picture of a polynomial curve in space, whose heights are the weights, for an "
+        "eye at the origin.";
     a.source = "The NURBS Book, 1.4 and 4.2; Shene, CS3621 notes, \"NURBS: Definition\"";
     a.inputs = {
         {"curve", InputSpec::Type::curve, "A plane curve of any kind, without weights of 0."},

@@ -37,7 +37,7 @@ const Algorithm& reversal() {
     a.id = "reversal";
     a.family = Family::curve_technique;
     a.title = "Reversal";
-    a.summary = "The same curve, run through from its end to its begin.";
+    a.summary = "The same curve, run through from its end to its beginning.";
     a.source = "The NURBS Book, 6.5";
     a.inputs = {{"curve", InputSpec::Type::curve, "A curve of any kind; clamped or not."}};
     a.pseudo_code = {
@@ -68,14 +68,15 @@ const Algorithm& reversal() {
          "The control points stay where they are and are counted from the other end.",
          ValueSpec::Draw::polygon},
     };
-    a.phases = {{"mirror", "Mirror the knots", 2,
-                 "Each knot is as far from the end now as it was from the begin. Knots must not decrease, so they are "
-                 "taken from the back."}};
+    a.phases = {
+        {"mirror", "Mirror the knots", 2,
+         "Each knot is as far from the end now as it was from the beginning. Knots must not decrease, so they are "
+         "taken from the back."}};
     a.rules = {&rule_info<Mirror>, &rule_info<Renumber>, &rule_info<Gather>};
     a.misconceptions = {
         {"same-knots", "the knots are left as they were",
          "The knots belong to the curve as much as its points: mirror them, V[i] = a + b - u_{m-i}.", same_knots},
-        {"begin-forgotten", "the begin of the domain is forgotten",
+        {"begin-forgotten", "the beginning of the domain is forgotten",
          "The mirror image of u in [a, b] is a + b - u; b - u is right only where a is 0.", begin_forgotten},
         {"decreasing-knots", "the knots are only turned around, so that they decrease",
          "A knot vector never decreases: each knot is mirrored, a + b - u.", decreasing_knots}};

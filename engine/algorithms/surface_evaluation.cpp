@@ -78,7 +78,7 @@ const Algorithm& surface_evaluation() {
                 {},
                 "the multiplicity of the second parameter",
                 1,
-                "{@0} is a knot {s} times, so that many lines fewer are needed.",
+                "{@0} is a knot of multiplicity {s}: so many lines fewer are needed.",
                 ValueSpec::Draw::none,
                 false,
                 {{"", "1-s", 0, "{@0} is no knot: all of them are needed."}}},

@@ -123,7 +123,7 @@ const Algorithm& surface_knot_splitting() {
         {"old", "The old point", 4, "Its point before, by de Boor's algorithm."},
         {"new", "The new point", 5, "Its point over the new knots."},
     };
-    a.rules = {&rule_info<LastKnot>, &rule_info<Multiplicity>,  &rule_info<NearestKnot>, &rule_info<PartOf>,
+    a.rules = {&rule_info<LastKnot>, &rule_info<Multiplicity>,  &rule_info<NearestKnot>, &rule_info<PartOfGap>,
                &rule_info<Fraction>, &rule_info<SpreadKnot>,    &rule_info<Gather>,      &rule_info<Same>,
                &rule_info<Distance>, &rule_info<Reparametrize>, &rule_info<SameNumber>,  &rule_info<Largest>,
                &rule_info<FindSpan>, &rule_info<Ratio>,         &rule_info<Blend>};

@@ -30,8 +30,8 @@ bool is_little_word(std::string_view text, std::size_t begin, std::size_t end) {
 }
 
 std::optional<std::string_view> letter_of(std::string_view symbol) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> letters{
-      {{"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"Ubar", "Ū"}}};
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 5> letters{
+      {{"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"theta", "θ"}, {"Ubar", "Ū"}}};
   for (const auto& [name, letter] : letters)
     if (name == symbol) return letter;
   return std::nullopt;

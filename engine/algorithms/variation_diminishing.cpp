@@ -124,7 +124,7 @@ const Algorithm& variation_diminishing() {
          {"r", "i"},
          "the point i of the polygon after r rounds (r = 0: the control points)",
          6,
-         "Cut corners: after {r} rounds the polygons of the pieces in a row have {value} as their point {i}.",
+         "Cut corners: after round {r} the polygons of the pieces in a row have {value} as their point {i}.",
          ValueSpec::Draw::level},
         {"d",
          {"r", "i"},
@@ -134,16 +134,17 @@ const Algorithm& variation_diminishing() {
          "of the line it is.",
          ValueSpec::Draw::none,
          false,
-         {{"", "r", 7, "The sides of all points of the polygon after {r} rounds: {name} = {value}, and so on."}}},
+         {{"", "r", 7, "The sides of all points of the polygon after round {r}: {name} = {value}, and so on."}}},
         {"V",
          {"r"},
          "how often the polygon changes sides after r rounds",
          3,
-         "Along the control polygon the sign changes V = {value} times: no line crosses the curve more often than "
-         "its polygon, so this one does it at most {value} times.",
+         "The number of sign changes along the control polygon is V = {value}: no line crosses the curve more often "
+         "than its polygon, so there are no more than {value} crossings.",
          ValueSpec::Draw::none,
          false,
-         {{"", "r", 8, "Now the sign changes {value} times, after {V[r-1]} before: cutting corners never adds one."}}},
+         {{"", "r", 8,
+           "The number of sign changes is {value} now, after {V[r-1]} before: cutting corners never adds one."}}},
     };
     a.phases = {
         {"round", "Round {index}", 4, "Halve the curve by de Casteljau's algorithm: its polygon comes closer."},

@@ -13,27 +13,17 @@
 //
 // With a tolerance in place of n: n = p, p+1, ... until E keeps it. With n = m the curve interpolates.
 
+#include "kernel/blend_numbers.hpp"
 #include "kernel/elimination.hpp"
 #include "kernel/parameters.hpp"
 #include "kernel/tolerance.hpp"
 
 namespace blossom {
 
-// (1 - a) x + a y of numbers
-struct BlendNumbers {
-  static constexpr std::string_view name = "blend_numbers";
-  static constexpr std::string_view formula = "(1 - {0}) {1} + {0} {2}";
-  static constexpr Polar polar = Polar::none;
-  template <Scalar S>
-  static S apply(const S& a, const S& x, const S& y) {
-    return (S(1) - a) * x + a * y;
-  }
-};
-
 // a0 b0 + a1 b1 + ...
 struct ProductSum {
   static constexpr std::string_view name = "product_sum";
-  static constexpr std::string_view formula = "sum of the products of the pairs {*}";
+  static constexpr std::string_view formula = "sum of a · b over the pairs a, b: {*}";
   static constexpr Polar polar = Polar::none;
   template <Scalar S>
   static S apply(std::span<const S> pairs) {

@@ -8,19 +8,9 @@
 // 1 on each level. C = sum of B[i][n] P_i.
 
 #include "kernel/basis_functions.hpp"
+#include "kernel/blend_numbers.hpp"
 
 namespace blossom {
-
-// (1 - u) A + u B of numbers
-struct BlendNumbers {
-  static constexpr std::string_view name = "blend_numbers";
-  static constexpr std::string_view formula = Blend::formula;
-  static constexpr Polar polar = Polar::none;
-  template <Scalar S>
-  static S apply(const S& u, const S& A, const S& B) {
-    return (S(1) - u) * A + u * B;
-  }
-};
 
 // (1 - u) A
 struct RestOf {

@@ -30,6 +30,8 @@ std::vector<Curve<typename R::Number>> bezier_extraction(const Curve<typename R:
       auto phase = rec.phase({"knot", number++, true, "knot_insertion"});
       const auto times = rec.input("h"_v, p - s);
       const auto u = rec.apply(SameNumber{}, "u"_v, made.U[i]);
+      if constexpr (R::recording)
+        if (number > 1) knots = compatible::name_curve(rec, made, number > 2);
       auto refined = insert_knot(rec, made, knots, u, times);
       made = std::move(refined.curve);
       if constexpr (R::recording)

@@ -47,11 +47,28 @@ auto knot_list(R& rec, const MadeCurve<R>& curve) {
     return Traced<std::span<const typename R::Number>, NoId>{curve.U.values(), {}};
 }
 
+// The curve in hand under names of its own, U[i] and P[i], in the phase that goes on with it, and its knots as one
+// value. `again`: it has been named in an earlier phase, whose points leave the picture.
+template <class R>
+auto name_curve(R& rec, MadeCurve<R>& curve, bool again) {
+  auto step = rec.one_step();
+  if constexpr (R::recording) {
+    for (int i = 0; i < curve.U.size(); ++i) curve.U.set(i, rec.apply(SameNumber{}, "U"_v(i), curve.U[i]));
+    for (int i = 0; i < curve.P.size(); ++i) {
+      const auto before = curve.P[i].id;
+      curve.P.set(i, rec.apply(Same{}, "P"_v(i), curve.P[i]));
+      if (again) rec.retire(before);
+    }
+  }
+  return knot_list(rec, curve);
+}
+
 // The same curve with its domain's ends as knots of multiplicity p + 1 (they had less: an unclamped curve).
 template <class R>
 MadeCurve<R> clamp(R& rec, MadeCurve<R> curve) {
   using S = typename R::Number;
   const int p = curve.degree;
+  bool changed = false;
   for (const bool front : {true, false}) {
     const int at = front ? p : curve.U.size() - p - 1;
     const S u = curve.U[at].value;
@@ -60,7 +77,9 @@ MadeCurve<R> clamp(R& rec, MadeCurve<R> curve) {
       auto phase = rec.phase({"end", front ? 0 : 1, true, "knot_insertion"});
       const auto times = rec.input("h"_v, p - s);
       const auto end = rec.apply(SameNumber{}, "u"_v, curve.U[at]);
-      curve = insert_knot(rec, curve, knot_list(rec, curve), end, times).curve;
+      const auto list = changed ? name_curve(rec, curve, false) : knot_list(rec, curve);
+      curve = insert_knot(rec, curve, list, end, times).curve;
+      changed = true;
     }
   }
   // Only what the domain sees remains, with p + 1 copies of each end.

@@ -29,8 +29,8 @@ struct NearestKnot {
 };
 
 // A part of a length
-struct PartOf {
-  static constexpr std::string_view name = "part_of";
+struct PartOfGap {
+  static constexpr std::string_view name = "part_of_gap";
   static constexpr std::string_view formula = "{0} · {1}";
   static constexpr Polar polar = Polar::none;
   template <Scalar S>
@@ -60,7 +60,7 @@ Cells<typename R::Number, typename R::Id> spread(R& rec, const Knots& U, const K
   const auto s = rec.apply(Multiplicity{}, "s"_v, u, knots);
   const int first = k.value - s.value + 1;
   const auto gap = rec.apply(NearestKnot{}, "g"_v, u, U[first - 1], U[k.value + 1]);
-  const auto h = rec.apply(PartOf{}, "h"_v, apart, gap);
+  const auto h = rec.apply(PartOfGap{}, "h"_v, apart, gap);
   Cells<typename R::Number, typename R::Id> V;
   V.append(U, 0, U.size());
   for (int j = 0; j < s.value; ++j) {

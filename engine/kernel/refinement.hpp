@@ -45,6 +45,8 @@ Curve<typename R::Number> refinement(const Curve<typename R::Number>& curve,
     auto phase = rec.phase({"knot", number++, true, "knot_insertion"});
     const auto times = rec.input("h"_v, static_cast<int>(group.size()));
     const auto u = rec.apply(SameNumber{}, "u"_v, X[group.front()]);
+    if constexpr (R::recording)
+      if (number > 1) knots = compatible::name_curve(rec, made, number > 2);
     auto refined = insert_knot(rec, made, knots, u, times);
     made = std::move(refined.curve);
     if constexpr (R::recording)

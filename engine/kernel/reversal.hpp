@@ -1,5 +1,5 @@
 #pragma once
-// Reversal: the same curve run through from its end to its begin, C(a + b - u) (The NURBS Book 6.5, on reversing
+// Reversal: the same curve run through from its end to its beginning, C(a + b - u) (The NURBS Book 6.5, on reversing
 // knots and points). Over the domain [a, b]:
 //
 //     V_i = a + b - u_{m-i},   Q_i = P_{n-i}.

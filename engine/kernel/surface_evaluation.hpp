@@ -17,8 +17,8 @@ namespace blossom {
 
 namespace tensor {
 
-// The triangle on one curve, in a phase that is de Boor's algorithm, with all that it names: p, u, U, and P[0][i] for
-// the points first..last. `list` is the knot vector U as one value.
+// The triangle on one curve, in a phase that is de Boor's algorithm, with what it names: p, U, and P[0][i] for the
+// points first..last. The parameter keeps its name: u, v or t. `list` is the knot vector as one value.
 template <class R, class Knots, class KnotList, class Points, class Parameter>
 Traced<HPoint<typename R::Number>, typename R::Id> point_of_line(R& rec, const Phase& boor, int p, const Knots& U,
                                                                  const KnotList& list, const Points& P, int first,
@@ -33,15 +33,13 @@ Traced<HPoint<typename R::Number>, typename R::Id> point_of_line(R& rec, const P
     Cells<HPoint<S>, Id> copies;
     copies.resize(last + 1);
     Traced<std::vector<S>, Id> knots;
-    Traced<S, Id> u{};
     {
       auto step = rec.one_step();
       degree = rec.input("p"_v, p);
-      knots = rec.apply(Gather{}, "U"_v, slice(U, 0, U.size()));
-      u = rec.apply(SameNumber{}, "u"_v, parameter);
       for (int i = first; i <= last; ++i) copies.set(i, rec.apply(Same{}, "P"_v(0, i), P[i]));
+      knots = rec.apply(Gather{}, "U"_v, slice(U, 0, U.size()));
     }
-    return de_boor_point(rec, degree, U, knots, copies, u);
+    return de_boor_point(rec, degree, U, knots, copies, parameter);
   }
 }
 

@@ -6,10 +6,10 @@
 
 namespace blossom {
 
-// Whether an error keeps the tolerance: 1 or 0
+// Whether an error keeps the tolerance: 1 or 0. The formula leaves out what counts as rounding.
 struct Within {
   static constexpr std::string_view name = "within";
-  static constexpr std::string_view formula = "1 if {0} <= {1} + {2}, else 0";
+  static constexpr std::string_view formula = "1 if {0} <= {1}, else 0";
   static constexpr Polar polar = Polar::none;
   template <Scalar S>
   static int apply(const S& error, const S& tolerance, const S& rounding) {

@@ -74,6 +74,7 @@ void right(R& rec, MadeCurve<R>& curve) {
   const auto h = rec.apply(SpanLength{}, "h"_v(1), curve.U[n], b);
   for (int i = n + 2; i <= n + p + 1; ++i) curve.U.set(i, rec.apply(Sum{}, "V"_v(i), curve.U[i - 1], h));
   auto phase = rec.phase({"side", 1, true});
+  rec.input("n"_v, n);
   for (int r = 1; r <= p - 1; ++r)
     for (int j = r - 1; j >= 0; --j) {
       const auto beta = rec.apply(Ratio{}, "beta"_v(r, n - j), curve.U[n + 1 + r - j], curve.U[n - j], b);
