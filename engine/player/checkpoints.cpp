@@ -71,11 +71,15 @@ bool Checkpoints::takes() const {
 void Checkpoints::type(std::size_t number, std::string text) {
   if (reply_.numbers.size() <= number) reply_.numbers.resize(number + 1);
   reply_.numbers[number] = std::move(text);
+  reply_.meant.clear();
   reply_.problem.clear();
 }
 
-void Checkpoints::type(std::vector<std::string> numbers) {
+void Checkpoints::type(std::vector<std::string> numbers) { click(std::move(numbers), {}); }
+
+void Checkpoints::click(std::vector<std::string> numbers, std::vector<std::string> meant) {
   reply_.numbers = std::move(numbers);
+  reply_.meant = std::move(meant);
   reply_.problem.clear();
 }
 
@@ -135,6 +139,8 @@ void Checkpoints::try_again() {
   if (reply_.item >= items_.size() || !items_[reply_.item].first) return;
   reply_.trying_again = reply_.wants_keyboard = true;
   reply_.choice.reset();
+  reply_.numbers.clear();
+  reply_.meant.clear();
 }
 
 std::string Checkpoints::reply_text() const {
@@ -147,7 +153,8 @@ std::string Checkpoints::reply_text() const {
     return json_quote(letters);
   }
   std::string list;
-  for (const std::string& number : reply_.numbers) list += (list.empty() ? "" : ", ") + number_json(number);
+  for (const std::string& number : reply_.meant.empty() ? reply_.numbers : reply_.meant)
+    list += (list.empty() ? "" : ", ") + number_json(number);
   return reply_.size == 1 ? list : "[" + list + "]";
 }
 

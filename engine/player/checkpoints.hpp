@@ -44,6 +44,7 @@ class Checkpoints {
   struct Reply {
     std::size_t item = SIZE_MAX;
     std::vector<std::string> numbers;   // of a value, as typed
+    std::vector<std::string> meant;     // what a click counts as that is near enough; empty: what the numbers say
     std::size_t size = 0;               // how many these are; 0: any number of them
     std::vector<std::size_t> order;     // shown items, as one has put them
     std::optional<std::size_t> choice;  // of an order: the shown item that keys move
@@ -56,6 +57,7 @@ class Checkpoints {
   void keyboard_given() { reply_.wants_keyboard = false; }
   void type(std::size_t number, std::string text);
   void type(std::vector<std::string> numbers);
+  void click(std::vector<std::string> numbers, std::vector<std::string> meant);
   void choose(std::size_t choice);
   void move(std::size_t place, int by);  // of an order: the item at this place goes up or down
   // What a key does while one is asked: a letter chooses, arrows move what is chosen of an order, Enter answers, or

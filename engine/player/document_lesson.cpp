@@ -160,11 +160,20 @@ class Writer {
         std::erase_if(beat.camera->fit, [&](const std::string& selector) {
           return selected_up_to({selector}, trace->step_count() - 1, *trace).empty();
         });
+      for (Slider& slider : beat.sliders) reach_own(slider);
       std::erase_if(beat.sliders, [&](const Slider& slider) { return !can_slide(slider); });
     }
     return write_beat(beat, languages());
   }
   Languages languages() const { return document_.lesson ? document_.lesson->languages : Languages{}; }
+
+  // Its range with the number that it begins at now, which an edit may have put outside.
+  void reach_own(Slider& slider) const {
+    const auto own = number_at(inputs_, slider.input);
+    if (!own) return;
+    slider.from = std::min(slider.from, *own);
+    slider.to = std::max(slider.to, *own);
+  }
 
   // A slider of these inputs still, at both of its ends.
   bool can_slide(const Slider& slider) const {

@@ -142,16 +142,17 @@ Exact snapped(double value, double unit, double grid) {
     const double count = std::nearbyint(value / grid);
     if (step && std::abs(count) < most) return Exact(static_cast<std::int64_t>(count)) * *step;
   }
-  // The power of ten of the unit, by way of its text: a logarithm of 0.001 might not be a whole number.
-  std::array<char, 512> text{};
-  std::snprintf(text.data(), text.size(), "%.12e", unit);
-  const int power = unit > 0 && std::isfinite(unit) ? std::atoi(std::strchr(text.data(), 'e') + 1) : 0;
-  if (power <= 0) {
-    std::snprintf(text.data(), text.size(), "%.*f", std::min(-power, 300), value);
-    return Exact::parse(text.data()).value_or(Exact(value));
-  }
-  const double count = std::nearbyint(value / std::pow(10, power));
-  const auto step = Exact::parse("1e" + std::to_string(power));
+  if (!(unit > 0) || !std::isfinite(unit)) unit = 1;
+  // Its digits, by way of its text: a logarithm of 0.001 might not be a whole number.
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.9e", unit);
+  char* const e = std::strchr(text.data(), 'e');
+  const int power = std::atoi(e + 1);
+  *e = '\0';
+  const double digits = std::strtod(text.data(), nullptr);
+  const char* const first = digits <= 1 ? "1" : digits <= 2 ? "2" : digits <= 5 ? "5" : "10";
+  const auto step = Exact::parse(std::string(first) + "e" + std::to_string(power));
+  const double count = step ? std::nearbyint(value / step->to_double()) : most;
   return std::abs(count) < most ? Exact(static_cast<std::int64_t>(count)) * *step : Exact(value);
 }
 

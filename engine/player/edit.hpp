@@ -62,8 +62,8 @@ Edited set_choice(const Algorithm&, const Inputs<Exact>&, std::string_view input
 std::optional<Exact> number_at(const Inputs<Exact>&, std::string_view path);
 Edited set_number_at(const Algorithm&, const Inputs<Exact>&, std::string_view path, const Exact&);
 
-// The nearest number with so few decimals that it is as fine as `unit` (a pixel in the world) and no finer: what a drag
-// means. With `grid` > 0: the nearest multiple of it.
+// What a drag means: the nearest multiple of the smallest of 1, 2, 5, 10, 0.1, ... that is not finer than `unit` (a
+// pixel in the world). With `grid` > 0: the nearest multiple of that.
 Exact snapped(double value, double unit, double grid = 0);
 
 // The inputs as a file's "inputs" object, with decimals where they are exact; and as its text, which is indented by

@@ -155,6 +155,8 @@ bool Player::asks_place() const {
   if (!question) return false;
   const Prediction& prediction = *session_->prediction();
   const AskedValue& asks = prediction.questions()[*question];
+  // In space a click is a line of sight, and no place.
+  if (session_->recording().source().spatial()) return false;
   return asks.step > session_->step() && asks.kind == ValueKind::point && asks.form == Form::affine &&
          !prediction.finished();
 }

@@ -54,6 +54,8 @@ class History {
     return true;
   }
   std::size_t size() const { return states_.size(); }
+  std::size_t at() const { return at_; }  // which of the states is the current one
+  const T& state(std::size_t i) const { return states_[i].value; }
 
  private:
   struct State {

@@ -1,8 +1,10 @@
 // What a lesson adds to a run: its scenes, the languages it is in, what its beats ask for, and its questions.
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
+#include "algorithms/typeset.hpp"
 #include "player/player.hpp"
 #include "scene/beat_look.hpp"
 
@@ -57,6 +59,11 @@ std::string Player::scene_heading(std::size_t which) const {
 bool Player::unsaved() const {
   return (session_ && session_->unsaved()) ||
          std::ranges::any_of(parked_, [](const auto& parked) { return parked && parked->unsaved(); });
+}
+
+bool Player::would_be_missed() const {
+  return (session_ && session_->would_be_missed()) ||
+         std::ranges::any_of(parked_, [](const auto& parked) { return parked && parked->would_be_missed(); });
 }
 
 // What is known of the scene one is in.
@@ -286,6 +293,12 @@ const std::vector<Slider>& Player::sliders() const {
   return beat != nullptr ? beat->sliders : none;
 }
 
+std::string Player::slider_words(const Slider& slider) const {
+  if (slider.label.empty() || !session_) return slider.input;
+  const Algorithm& algorithm = session_->recording().source().algorithm_at(session_->step());
+  return unicode_text(typeset_text(printable(slider.label.in(settings.language)), algorithm));
+}
+
 void Player::slide(std::size_t which, const Exact& wanted) {
   if (which >= sliders().size()) return;
   const Slider slider = sliders()[which];
@@ -297,8 +310,8 @@ void Player::slide(std::size_t which, const Exact& wanted) {
     return;
   }
   if (!camera_) camera_ = shown_camera();  // the picture stays while something in it moves
-  const auto edited = set_number_at(session_->algorithm(), session_->inputs(), slider.input, to);
-  if (edit(edited, slider.input + " moved", "slide " + slider.input))
+  const auto edited = session_->with_number_at(slider.input, to);
+  if (edit(edited, slider_words(slider) + " moved", "slide " + slider.input))
     slide_refused_ = {};
   else
     slide_refused_ = {
@@ -416,15 +429,43 @@ void Player::go_to_checkpoint(std::size_t which) {
 
 bool Player::checkpoint_asks_place() const {
   if (!checkpoint_asks(Checkpoint::Kind::predict)) return false;
-  const auto v = session_->recording().graph().find(checkpoints_.item(*checkpoint()).checkpoint.value);
-  return v && session_->recording().graph().value(*v).kind == ValueKind::point;
+  const StepSource& source = session_->recording().source();
+  const auto v = source.graph->find(checkpoints_.item(*checkpoint()).checkpoint.value);
+  // In space a click is a line of sight, and no place.
+  return v && !source.spatial() && source.graph->value(*v).kind == ValueKind::point;
 }
+
+namespace {
+
+// The coordinates of a value as one types them.
+std::vector<std::string> coordinates(const StepSource& source, ValueId v, std::size_t size) {
+  auto numbers = split_numbers(source.value_text(v));
+  const bool typed = numbers.size() == size && std::ranges::all_of(numbers, [](const std::string& text) {
+                       return typed_number(text).has_value();
+                     });
+  if (source.exact && typed) return numbers;
+  numbers.clear();
+  for (std::size_t i = 0; i < size; ++i)
+    numbers.push_back(number_text(snapped((*source.points[v])[static_cast<int>(i)], 1e-9), NumberStyle::coordinate));
+  return numbers;
+}
+
+}  // namespace
 
 void Player::checkpoint_click(const glm::dvec3& place) {
   if (!checkpoint_asks_place()) return;
+  const StepSource& source = session_->recording().source();
+  const ValueId asked = *source.graph->find(checkpoints_.item(*checkpoint()).checkpoint.value);
   const double unit = shown_camera().height / view_size_.height;
-  for (std::size_t i = 0; i < checkpoints_.reply().size && i < 3; ++i)
-    checkpoints_.type(i, number_text(snapped(place[static_cast<int>(i)], unit), NumberStyle::coordinate));
+  const std::size_t size = std::min<std::size_t>(checkpoints_.reply().size, 3);
+  std::vector<std::string> numbers, meant;
+  for (std::size_t i = 0; i < size; ++i)
+    numbers.push_back(number_text(snapped(place[static_cast<int>(i)], unit), NumberStyle::coordinate));
+  // Nobody hits a place to the last decimal: near enough is right.
+  const auto& right = source.points[asked];
+  if (right && glm::distance(*right, place) <= click_tolerance(session_->inputs()))
+    meant = coordinates(source, asked, size);
+  checkpoints_.click(std::move(numbers), std::move(meant));
 }
 
 void Player::save_checkpoints(const std::filesystem::path& file) {

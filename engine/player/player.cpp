@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "lesson/file_kind.hpp"
 #include "studio/scene_file.hpp"
@@ -74,6 +75,7 @@ bool Player::begin(Document document) {
     return false;
   }
   remember_progress();
+  notice_.clear();
   session_ = std::move(*session);
   session_->speak(settings.language);
   forget_lesson();
@@ -124,7 +126,7 @@ void Player::unless_unsaved(std::function<void(Player&)> then) {
 void Player::unless_session_unsaved(std::function<void(Player&)> then) {
   // What one practised in a lesson is not handed in.
   const bool answers = answers_unsaved() && session_->document().kind == Document::Kind::exercise;
-  if (!session_ || (!unsaved() && !answers)) return then(*this);
+  if (!session_ || (!would_be_missed() && !answers)) return then(*this);
   after_unsaved_ = std::move(then);
   asks_about_scene_ = false;
   dialog = Dialog::unsaved;
@@ -201,7 +203,11 @@ void Player::forget_lost(std::size_t which) {
   if (lost_.empty() && dialog == Dialog::recover) dialog = Dialog::none;
 }
 
-void Player::show_problems(std::string what, Diagnostics list) { problems_ = {std::move(what), std::move(list)}; }
+void Player::show_problems(std::string what, Diagnostics list) {
+  std::ranges::stable_sort(list, {}, [](const Diagnostic& wrong) { return std::tuple(wrong.line, wrong.column); });
+  problems_ = {std::move(what), std::move(list)};
+  notice_.clear();  // that all was well before
+}
 
 void Player::notice(std::string text) {
   notice_ = std::move(text);
@@ -435,6 +441,10 @@ bool Player::advance(double seconds) {
     }
     if (studio_ && scene_watch_.poll()) {
       look_at_scene_on_disk();
+      changed = true;
+    }
+    if ((session_ && watch_.has_gone()) || (studio_ && scene_watch_.has_gone())) {
+      notice("The file is not there any more. What is shown is its last version.");
       changed = true;
     }
   }

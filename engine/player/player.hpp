@@ -94,11 +94,13 @@ class Player {
   std::size_t scene() const;
   std::string scene_heading(std::size_t) const;
   void show_scene(std::size_t);
-  bool unsaved() const;  // in any of them
+  bool unsaved() const;          // in any of them
+  bool would_be_missed() const;  // likewise, but for what only sliders moved
   // Playing stopped here because the beat says so.
   bool waits_here() const { return session_ && waiting_ == session_->step() && !session_->timeline().playing(); }
   // The sliders of the beat. An edit that is refused is kept as what is said, and nothing else changes.
   const std::vector<Slider>& sliders() const;
+  std::string slider_words(const Slider&) const;  // what it moves: its label, or the input's path
   void slide(std::size_t slider, const Exact& to);
   void slide_by(std::size_t slider, int steps);
   void end_slide();

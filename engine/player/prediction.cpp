@@ -332,6 +332,12 @@ double extent(const Inputs<Exact>& inputs) {
   return std::max({size.x, size.y, size.z, 0.0});
 }
 
+}  // namespace
+
+double click_tolerance(const Inputs<Exact>& inputs) { return share_of_picture * extent(inputs); }
+
+namespace {
+
 // What can be asked of a selection: what is made, each value once, and no point at infinity.
 class Choice {
  public:
@@ -349,7 +355,7 @@ class Choice {
   }
   std::size_t count() const { return count_; }
 
-  std::string asks(double picture) const {
+  std::string asks(double click_tolerance) const {
     std::string text;
     double largest_coordinate = 0;
     for (ValueId v = 0; v < trace_.value_count(); ++v) {
@@ -368,7 +374,7 @@ class Choice {
       }
       text += "}";
     }
-    return "\"ask\": [" + text + "], \"tolerance\": " + absolute(share_of_picture * picture, largest_coordinate);
+    return "\"ask\": [" + text + "], \"tolerance\": " + absolute(click_tolerance, largest_coordinate);
   }
 
  private:
@@ -438,7 +444,7 @@ Checked<std::shared_ptr<const Grader>> practice_exercise(const Algorithm& algori
       "{\"schema\": \"blossom.exercise/1\", \"id\": " + json_quote(id) +
       ", \"title\": " + json_quote(title.empty() ? std::string(algorithm.title) : title) +
       ", \"prompt\": \"Predict each value before it is shown.\", \"algorithm\": " + json_quote(algorithm.id) +
-      ", \"inputs\": {" + given + "}, " + choice.asks(extent(inputs)) + ", \"feedback\": \"full\"}";
+      ", \"inputs\": {" + given + "}, " + choice.asks(click_tolerance(inputs)) + ", \"feedback\": \"full\"}";
   const auto document = JsonDocument::parse("practice", text);
   if (!document) return document.diagnostics;
   auto exercise = read_exercise(*document);

@@ -120,6 +120,9 @@ std::vector<std::string> split_numbers(const std::string& text);
 // no answer: numbers, lists, homogeneous coordinates.
 std::vector<std::string> prefilled(const AskedValue&, const glm::dvec3& clicked, double unit);
 
+// How far from the right place a click may be, in the world: 2 % of the picture's size.
+double click_tolerance(const Inputs<Exact>&);
+
 // An exercise about a run that comes from no exercise file: the values that `asks` selects (by default what the
 // algorithm's exercises usually ask, at most 40), with a tolerance of 2 % of the picture's size, so that a click
 // counts; of other numbers 0.01. Of `asks` what selects nothing is left out; nothing at all is a diagnostic.

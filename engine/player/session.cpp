@@ -121,16 +121,17 @@ Session::Words Session::words() const {
 
 bool Session::only_slid() const {
   if (!document_.lesson) return false;
-  Inputs<Exact> back = inputs();
+  // From the lesson's numbers to these, for a weight of 0 leaves no way back.
+  Inputs<Exact> slid = document_.inputs;
   for (const Beat& beat : document_.lesson_scene()->beats)
     for (const Slider& slider : beat.sliders) {
-      const auto original = number_at(document_.inputs, slider.input);
-      if (!original || number_at(back, slider.input) == original) continue;
-      auto reset = set_number_at(algorithm(), back, slider.input, *original);
-      if (!reset) return false;
-      back = std::move(*reset);
+      const auto now = number_at(inputs(), slider.input);
+      if (!now || number_at(slid, slider.input) == now) continue;
+      auto next = set_number_at(algorithm(), slid, slider.input, *now);
+      if (!next) return false;
+      slid = std::move(*next);
     }
-  return back == document_.inputs;
+  return slid == inputs();
 }
 
 void Session::set_bookmarks(std::vector<std::uint32_t> steps) {
@@ -165,6 +166,38 @@ bool Session::edit(Edited edited, const std::string& what, const std::string& ge
   history_.push(std::move(*edited), what, gesture);
   stop_prediction();  // its questions were about other numbers
   return true;
+}
+
+namespace {
+
+// The coordinates of the point whose weight is at this path ("curve.weights[1]"), by their paths.
+std::vector<std::pair<std::string, Exact>> place_at(const Inputs<Exact>& inputs, std::string path) {
+  constexpr std::string_view weights = ".weights[";
+  std::vector<std::pair<std::string, Exact>> place;
+  const std::size_t at = path.rfind(weights);
+  if (at == std::string::npos) return place;
+  path.replace(at, weights.size(), ".points[");
+  for (const char* axis : {"[0]", "[1]", "[2]"})
+    if (auto x = number_at(inputs, path + axis)) place.emplace_back(path + axis, std::move(*x));
+  return place;
+}
+
+bool has_no_weight(const Inputs<Exact>& inputs, std::string_view path) { return number_at(inputs, path) == Exact(0); }
+
+}  // namespace
+
+Edited Session::with_number_at(std::string_view path, const Exact& x) const {
+  Edited edited = set_number_at(algorithm(), inputs(), path, x);
+  const auto place = place_at(inputs(), std::string(path));
+  if (!edited || x == Exact(0) || place.empty() || !has_no_weight(inputs(), path)) return edited;
+  for (std::size_t state = history_.at(); state-- > 0;) {
+    const auto before = place_at(history_.state(state), std::string(path));
+    if (before.size() != place.size() || has_no_weight(history_.state(state), path)) continue;
+    for (const auto& [coordinate, number] : before)
+      if (edited) edited = set_number_at(algorithm(), *edited, coordinate, number);
+    break;
+  }
+  return edited;
 }
 
 void Session::end_gesture() {

@@ -58,6 +58,8 @@ class Session {
   // Whether the inputs differ from the document's only in what sliders of its beats move: what a beat with sliders says
   // is meant for those numbers, too.
   bool only_slid() const;
+  // Whether something is unsaved that one would miss: sliders are moved again in a moment.
+  bool would_be_missed() const { return !saved_ || (unsaved() && !only_slid()); }
   const std::vector<Beat>& beats() const { return beats_; }
   const Beat* beat() const;  // of this step
   std::vector<std::uint32_t> bookmarks() const { return bookmarks_; }
@@ -66,6 +68,9 @@ class Session {
 
   // An edit: taken, or refused and nothing changes but rejected(). `what` is for "Undo ..."; see History for gestures.
   bool edit(Edited, const std::string& what, const std::string& gesture = {});
+  // The number at a path of the inputs set. A control point of weight 0 has no place: where this gives it a weight
+  // again, it comes back to where it was last.
+  Edited with_number_at(std::string_view path, const Exact&) const;
   void end_gesture();
   void cancel_gesture();  // what it did is undone, and not to be redone
   const Diagnostics& rejected() const { return rejected_; }

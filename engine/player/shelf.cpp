@@ -40,14 +40,19 @@ Checked<ShelfItem> read_item(JsonDocument json, const fs::path& file, const std:
   item.id = document->id();
   item.title = document->title();
   item.kind = document->kind;
+  const std::string name = file.stem().string();
+  const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+  if (digits < name.size() && name[digits] == '-') item.number = name.substr(0, digits);
   if (document->lesson) {
+    for (const auto& [language, title] : document->lesson->title.texts())
+      if (!language.empty()) item.elsewhere += printable(title) + "\n";
     item.unit = printable(document->lesson->unit);
     item.summary = printable(document->lesson->summary);
     item.minutes = document->lesson->minutes;
     item.exercises = document->lesson->exercises;
   } else if (document->grader) {
     item.unit = printable(document->grader->exercise().unit);
-    item.summary = printable(document->grader->exercise().prompt);
+    item.summary = printable(plain_text(read_prose(document->grader->exercise().prompt)));
   }
   if (stop.stop_requested()) return Diagnostics();
   auto recording = Recording::make(*document->algorithm, document->inputs, false);

@@ -16,6 +16,8 @@ namespace blossom {
 struct ShelfItem {
   std::filesystem::path file;
   std::string id, title, unit, summary;
+  std::string number;     // of the course, as its file's name begins: "22"; may be empty
+  std::string elsewhere;  // its titles in other languages, one below the other
   Document::Kind kind = Document::Kind::lesson;
   int minutes = 0;
   std::vector<std::string> exercises;          // ids, of a lesson

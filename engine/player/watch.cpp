@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <string>
@@ -57,8 +58,10 @@ bool FileWatch::poll() {
   const auto now = stamp_of(file_);
   if (!now) {
     stamp_ = {};  // it will be another one when it is there again
+    missing_ = std::min(missing_ + 1, 3);
     return false;
   }
+  missing_ = 0;
   if (*now != stamp_) {
     stamp_ = *now;
     settling_ = true;

@@ -15,6 +15,8 @@ class FileWatch {
   FileWatch() = default;
   explicit FileWatch(std::filesystem::path file);
   bool poll();  // true: its bytes are other ones than at the last true (or the start); a missing file is no change
+  // Once, after the poll that finds it missing a second time: an editor that replaces it is done by then.
+  bool has_gone() const { return missing_ == 2 && bytes_hash_.has_value(); }
 
  private:
   struct Stamp {
@@ -30,6 +32,7 @@ class FileWatch {
   Stamp stamp_;
   std::optional<std::size_t> bytes_hash_;  // nothing: there was no file
   bool settling_ = false;                  // its bytes are to be looked at
+  int missing_ = 0;                        // for so many polls, as far as that matters
 };
 
 }  // namespace blossom

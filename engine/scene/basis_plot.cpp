@@ -15,6 +15,8 @@ constexpr double top_room = 18, bottom_room = 18;  // for labels at the peaks; f
 constexpr double label_size = 0.8, value_size = 0.74;
 constexpr double bar_width = 18, bar_gap = 12;
 constexpr double units_per_sample = 3;
+constexpr int most_halvings = 8;         // of the way between two samples of a rational function
+constexpr double seen_bend = 0.15;       // in units
 constexpr std::size_t most_labels = 24;  // of more functions only those that count at u have names
 constexpr std::size_t few_labels = 12;   // may stand farther from their peaks
 constexpr double least_share = 0.0005;   // of a part of the bar that is labelled
@@ -80,6 +82,30 @@ RichText name_of(const Curve<double>& curve, int i) {
           {std::to_string(i) + "," + std::to_string(curve.degree), TextRun::Level::sub}};
 }
 
+// The values of the functions of a span.
+struct Sample {
+  double u;
+  std::vector<double> values;
+  Sample(double at, int k, BasisFunctions& basis) : u(at), values(basis.at(k, at)) {}
+};
+
+// Adds samples between the last one and the next, until straight lines between them are what a curve looks like.
+void refine(std::vector<Sample>& samples, const Sample& next, int halvings, const Plot& plot, int k,
+            BasisFunctions& basis) {
+  if (halvings == 0) return;
+  const Sample& last = samples.back();
+  const double u = (last.u + next.u) / 2;
+  if (!(last.u < u) || !(u < next.u)) return;
+  const Sample between(u, k, basis);
+  double bend = 0;
+  for (std::size_t r = 0; r < between.values.size(); ++r)
+    bend = std::max(bend, std::abs(between.values[r] - (last.values[r] + next.values[r]) / 2));
+  if (!(bend * (plot.bottom - plot.top) > seen_bend)) return;
+  refine(samples, between, halvings - 1, plot, k, basis);
+  samples.push_back(between);
+  refine(samples, next, halvings - 1, plot, k, basis);
+}
+
 // Polylines of all functions, span by span: on each span p + 1 of them at once.
 std::vector<Function> sampled(const Curve<double>& curve, const Plot& plot, BasisFunctions& basis) {
   std::vector<Function> functions(static_cast<std::size_t>(basis.count()));
@@ -93,9 +119,14 @@ std::vector<Function> sampled(const Curve<double>& curve, const Plot& plot, Basi
     if (!(from < to)) continue;
     const double width = plot.axis.place(to) - plot.axis.place(from);
     const int pieces = std::clamp(static_cast<int>(width / units_per_sample), 4, 64);
+    // Large weights make functions steep: there are more samples where one of them bends.
+    std::vector<Sample> samples;
     for (int s = 0; s <= pieces; ++s) {
-      const double u = s == pieces ? to : from + (to - from) * s / pieces;
-      const auto& values = basis.at(k, u);
+      Sample next(s == pieces ? to : from + (to - from) * s / pieces, k, basis);
+      if (curve.rational && s > 0) refine(samples, next, most_halvings, plot, k, basis);
+      samples.push_back(std::move(next));
+    }
+    for (const auto& [u, values] : samples) {
       for (int r = 0; r <= p; ++r) {
         const int i = k - p + r;
         const double value = values[static_cast<std::size_t>(r)];

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "algorithms/typeset.hpp"
 #include "scene/knot_parts.hpp"
@@ -36,10 +37,29 @@ ValueId given_u(const StepSource& source) {
   return absent;
 }
 
-// The number as the run writes it (1/4, not 0.25), if that is short.
+// A fraction with a small denominator that is this number; empty: there is none.
+std::string small_fraction(double value) {
+  constexpr int largest = 16;
+  for (int n = 1; n <= largest && std::abs(value) < 1e6; ++n) {
+    const double over = std::nearbyint(value * n);
+    if (std::abs(value * n - over) > 1e-12 * std::max(1.0, std::abs(over))) continue;
+    return format_short(over, 0) + (n > 1 ? "/" + std::to_string(n) : "");
+  }
+  return {};
+}
+
+// The number as the run writes it (1/4, not 0.25), if that is short. Of knots that are no values of the run likewise.
 std::string number(const StepSource& source, ValueId v, double value) {
-  std::string exact = v != absent ? source.value_text(v) : std::string();
+  std::string exact = v != absent ? source.value_text(v) : source.exact ? small_fraction(value) : std::string();
   return exact.empty() || exact.size() > 8 ? format_short(value, 4) : exact;
+}
+
+// The input that the knots on the first line belong to, where the run has made knots of the same name.
+std::string owner(const StepSource& source, ValueId made) {
+  if (made == absent || !(source.graph->value(made).name == "U"_v())) return {};
+  const auto& inputs = source.algorithm->inputs;
+  const auto curve = std::ranges::find(inputs, InputSpec::Type::curve, &InputSpec::type);
+  return curve != inputs.end() ? std::string(curve->name) : std::string();
 }
 
 // The span k, once it is known.
@@ -93,7 +113,7 @@ void add_result(Sheet& sheet, const StepSource& source, ValueId v, const Emphasi
     Knot knot{i, 1, axis.place(values[i]), {}};
     while (i + knot.count < values.size() && values[i + knot.count] == values[i]) ++knot.count;
     const bool is_short = i < texts.size() && texts[i].size() <= 8;
-    knot.label = {{std::to_string(knot.count) + "(" + (is_short ? texts[i] : format_short(values[i], 4)) + ")"}};
+    knot.label = parts::knot_label(is_short ? texts[i] : format_short(values[i], 4), knot.count);
     view.markers.push_back(
         {{knot.at, line, 0}, lit ? Role::highlight : Role::control_point, Marker::Shape::triangle, 0.9});
     knots.push_back(std::move(knot));
@@ -136,7 +156,10 @@ double add_knot_line(Sheet& sheet, const StepSource& source, std::uint32_t step,
   const auto& curve = source.curves[which];
   View& view = sheet.view;
   const double line = y + line_at;
-  parts::text(view, x, line + 4, {{"U", TextRun::Level::base, true}}, Role::text_quiet, 0.9);
+  const ValueId made = result ? resulting_knots(source, step) : absent;
+  const std::string of = owner(source, made);
+  parts::text(view, x, line + 4, of.empty() ? RichText{{"U", TextRun::Level::base, true}} : RichText{{of}},
+              Role::text_quiet, of.empty() ? 0.9 : 0.72);
   parts::stroke(view, {{axis->left, line, 0}, {axis->right, line, 0}}, Role::rule_line);
   parts::stroke(view, {{axis->place(curve.domain_begin()), line, 0}, {axis->place(curve.domain_end()), line, 0}},
                 Role::polygon);
@@ -149,14 +172,13 @@ double add_knot_line(Sheet& sheet, const StepSource& source, std::uint32_t step,
   for (std::size_t i = 0; i < curve.knots.size(); i += knots.back().count) {
     Knot knot{i, 1, axis->place(curve.knots[i]), {}};
     while (i + knot.count < curve.knots.size() && curve.knots[i + knot.count] == curve.knots[i]) ++knot.count;
-    knot.label = {{std::to_string(knot.count) + "(" + number(source, values[i], curve.knots[i]) + ")"}};
+    knot.label = parts::knot_label(number(source, values[i], curve.knots[i]), knot.count);
     bool lit = false;
     for (std::size_t j = i; j < i + knot.count; ++j) lit = lit || (values[j] != absent && emphasis.lights(values[j]));
     if (lit) view.markers.push_back({{knot.at, line, 0}, Role::highlight, Marker::Shape::ring, 1});
     view.markers.push_back({{knot.at, line, 0}, Role::control_point, Marker::Shape::triangle, 0.9});
     knots.push_back(std::move(knot));
   }
-  const ValueId made = result ? resulting_knots(source, step) : absent;
   parts::set_knot_labels(view, knots, line, x, x + width, made == absent ? 2 : 1);
   if (made != absent) add_result(sheet, source, made, emphasis, *axis, x, y, width);
   add_ratio(view, source, step, *axis, line);

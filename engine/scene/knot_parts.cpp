@@ -40,6 +40,10 @@ std::vector<PlacedLabel> placed(const std::vector<Knot>& knots, int rows, double
 
 }  // namespace
 
+RichText knot_label(const std::string& value, std::size_t count) {
+  return {{value + (count > 1 ? " ×" + std::to_string(count) : "")}};
+}
+
 void set_knot_labels(View& view, const std::vector<Knot>& knots, double line, double left, double right,
                      int most_rows) {
   auto labels = placed(knots, most_rows, left, right);

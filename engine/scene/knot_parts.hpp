@@ -15,6 +15,9 @@ struct Knot {
   bool quiet = false;
 };
 
+// The knot's value, and how often it is there: "1/2 ×3".
+RichText knot_label(const std::string& value, std::size_t count);
+
 inline constexpr double knot_reach = 8;  // of a knot's spot around the line
 
 // In a second row where one is not enough; and where two are not, in one row, as many as there is room for.

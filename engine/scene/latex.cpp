@@ -12,7 +12,7 @@ namespace {
 
 std::string latex_symbol(const std::string& letter) {
   static const std::map<std::string, std::string> commands{
-      {"α", "\\alpha"}, {"β", "\\beta"}, {"γ", "\\gamma"}, {"Ū", "\\bar{U}"}};
+      {"α", "\\alpha"}, {"β", "\\beta"}, {"γ", "\\gamma"}, {"θ", "\\theta"}, {"Ū", "\\bar{U}"}};
   if (const auto found = commands.find(letter); found != commands.end()) return found->second;
   return letter.size() == 1 ? letter : "\\mathrm{" + letter + "}";
 }

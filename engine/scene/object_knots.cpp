@@ -41,7 +41,7 @@ double add_object_knots(Sheet& sheet, const Curve<double>& curve, double u, doub
   for (std::size_t i = 0; i < curve.knots.size(); i += knots.back().count) {
     Knot knot{i, 1, axis->place(curve.knots[i]), {}};
     while (i + knot.count < curve.knots.size() && curve.knots[i + knot.count] == curve.knots[i]) ++knot.count;
-    knot.label = {{std::to_string(knot.count) + "(" + parts::significant(curve.knots[i], 4) + ")"}};
+    knot.label = parts::knot_label(parts::significant(curve.knots[i], 4), knot.count);
     knot.quiet = closed && (curve.knots[i] < curve.domain_begin() || curve.knots[i] > curve.domain_end());
     view.markers.push_back({{knot.at, line, 0},
                             knot.quiet ? Role::retired : Role::control_point,

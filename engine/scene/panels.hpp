@@ -56,9 +56,10 @@ struct KnotAxis {
 std::optional<KnotAxis> knot_axis(const StepSource&, std::size_t curve, double x, double width);
 std::optional<KnotAxis> knot_axis(const Curve<double>&, double x, double width);
 
-// The knots of an input curve as multiplicity(value) on a line, with the domain, u, its span once it is known, and what
-// a ratio measures. Spots: the knots, u. Nothing without knots (`always`: also for a Bezier curve's 0 and 1).
-// With `result`, the knot vector that the run makes of them has a second line, once it is there.
+// The knots of an input curve on a line, each with its value and how often it is there ("1/2 ×3"), with the domain, u,
+// its span once it is known, and what a ratio measures. Spots: the knots, u. Nothing without knots (`always`: also for
+// a Bezier curve's 0 and 1). With `result`, the knot vector that the run makes of them has a second line, once it is
+// there.
 inline constexpr double knot_line_at = 26;                              // below y, where the line is
 inline constexpr double knot_line_height = 56, knot_lines_height = 85;  // of one line; of two
 double add_knot_line(Sheet&, const StepSource&, std::uint32_t step, const Emphasis&, double x, double y, double width,

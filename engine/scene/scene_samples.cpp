@@ -15,7 +15,8 @@ constexpr int samples_per_span = 80, fewest_samples = 4;
 constexpr int most_samples = 4000;  // of all curves together, as far as each span has the fewest
 constexpr std::size_t most_knots = 200;
 constexpr int mesh_per_span = 12;
-constexpr int most_mesh_lines = 120, most_isolines = 20;  // in each direction
+constexpr int samples_per_line_span = 40, most_line_samples = 400;  // of an isoparametric curve
+constexpr int most_mesh_lines = 120, most_isolines = 20;            // in each direction
 
 glm::dvec3 plain(const Point<double>& p) { return {p.x, p.y, p.z}; }
 
@@ -35,7 +36,8 @@ int samples_for(const std::vector<Curve<double>>& curves) {
 // Parameters of the mesh in one direction: uniform in each span, every knot among them unless there are too many.
 struct MeshLines {
   std::vector<double> at;
-  std::size_t stride = 1;  // from one isoparametric curve to the next
+  std::vector<double> fine;  // where curves are sampled that run in this direction, for their corners would be seen
+  std::size_t stride = 1;    // from one isoparametric curve to the next
 
   MeshLines(const std::vector<double>& knots, int degree) {
     const int spans = std::max(span_count(knots, degree), 1);
@@ -48,14 +50,17 @@ struct MeshLines {
       at = std::move(fewer);
     }
     // Two curves for a span, as long as they can be told apart.
+    span_parameters(knots, degree, std::clamp(most_line_samples / spans, steps, samples_per_line_span), fine);
     const std::size_t whole = at.size() - 1;
     stride = std::max<std::size_t>(static_cast<std::size_t>(std::max(steps / 2, 1)),
                                    (whole + most_isolines - 1) / most_isolines);
   }
-  template <class Body>
-  void for_each_isoline(const Body& body) const {
-    for (std::size_t i = 0; i < at.size(); i += stride) body(i);
-    if ((at.size() - 1) % stride != 0) body(at.size() - 1);
+  // Where the isoparametric curves are that run across.
+  std::vector<double> across() const {
+    std::vector<double> places;
+    for (std::size_t i = 0; i < at.size(); i += stride) places.push_back(at[i]);
+    if ((at.size() - 1) % stride != 0) places.push_back(at.back());
+    return places;
   }
 };
 
@@ -81,14 +86,16 @@ SurfaceSamples sample_surface(const Surface<double>& surface) {
     for (std::size_t b = 0; b + 1 < columns; ++b)
       mesh.indices.insert(mesh.indices.end(),
                           {at(a, b), at(a + 1, b), at(a + 1, b + 1), at(a, b), at(a + 1, b + 1), at(a, b + 1)});
-  u.for_each_isoline([&](std::size_t a) {
-    auto& line = made.isolines.emplace_back();
-    for (std::size_t b = 0; b < columns; ++b) line.push_back(mesh.positions[at(a, b)]);
-  });
-  v.for_each_isoline([&](std::size_t b) {
-    auto& line = made.isolines.emplace_back();
-    for (std::size_t a = 0; a < rows; ++a) line.push_back(mesh.positions[at(a, b)]);
-  });
+  for (const bool along_v : {true, false}) {
+    evaluate_grid(surface, along_v ? u.across() : u.fine, along_v ? v.fine : v.across(), false, grid);
+    const auto lines = static_cast<std::size_t>(along_v ? grid.rows : grid.columns);
+    const auto samples = static_cast<std::size_t>(along_v ? grid.columns : grid.rows);
+    for (std::size_t line = 0; line < lines; ++line) {
+      auto& made_line = made.isolines.emplace_back();
+      for (std::size_t s = 0; s < samples; ++s)
+        made_line.push_back(plain(grid.points[along_v ? line * samples + s : s * lines + line]));
+    }
+  }
   return made;
 }
 

@@ -375,13 +375,15 @@ TEST_CASE("a curve alone becomes the inputs of algorithms that take one") {
 }
 
 TEST_CASE("a drag means a number as fine as the pixel, not finer") {
-  CHECK(snapped(1.23456, 0.013) == Exact::ratio(123, 100));
+  CHECK(snapped(1.23456, 0.013) == Exact::ratio(124, 100));
+  CHECK(snapped(24.516, 0.04) == Exact::ratio(245, 10));
+  CHECK(snapped(24.516, 0.06) == Exact::ratio(245, 10));
   CHECK(snapped(1.23456, 0.01) == Exact::ratio(123, 100));
   CHECK(snapped(1.23456, 0.001) == Exact::ratio(1235, 1000));
   CHECK(snapped(-0.5004, 0.002) == Exact::ratio(-1, 2));
   CHECK(snapped(-0.0004, 0.01) == Exact(0));
   CHECK(snapped(17.4, 1) == Exact(17));
-  CHECK(snapped(1234.5, 30) == Exact(1230));
+  CHECK(snapped(1234.5, 30) == Exact(1250));
   CHECK(snapped(7e20, 1e19) == *Exact::parse("7e20"));
   CHECK(snapped(1e-7, 1e-9) == *Exact::parse("1e-7"));
   CHECK(snapped(0.37, 0.01, 0.25) == Exact::ratio(1, 4));

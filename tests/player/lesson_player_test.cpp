@@ -394,6 +394,56 @@ TEST_CASE("A place that is clicked is typed, on the grid of the pixels") {
   CHECK(typed_number(player.checkpoints().reply().numbers[1])->to_double() == Approx(6).margin(0.05));
 }
 
+TEST_CASE("A click that is near enough is right, one far away is not, and what is typed counts as typed") {
+  const auto answered = [](const auto& answer) {
+    World world;
+    Player& player = world.player();
+    open(player, questions);
+    player.skip_checkpoint();
+    answer(player);
+    player.submit_checkpoint();
+    return state(player, "checkpoints").substr(0, 24);
+  };
+  CHECK(answered([](Player& p) { p.checkpoint_click({5.03, 5.96, 0}); }) == "why=skipped second=right");
+  CHECK(answered([](Player& p) { p.checkpoint_click({5.6, 6.4, 0}); }) == "why=skipped second=wrong");
+  CHECK(answered([](Player& p) { p.checkpoints().type({"5.03", "5.96"}); }) == "why=skipped second=wrong");
+  CHECK(answered([](Player& p) {
+          p.checkpoint_click({5.03, 5.96, 0});
+          p.checkpoints().type(0, "7");
+        }) == "why=skipped second=wrong");
+}
+
+TEST_CASE("Who tries again begins anew") {
+  World world;
+  Player& player = world.player();
+  open(player, questions);
+  player.skip_checkpoint();
+  player.checkpoints().type({"1", "2"});
+  player.submit_checkpoint();
+  player.checkpoints().try_again();
+  CHECK(player.checkpoints().takes());
+  CHECK(player.checkpoints().reply().numbers.empty());
+}
+
+TEST_CASE("What only sliders moved is not asked about, other edits are") {
+  World world;
+  Player& player = world.player();
+  open_scene(player, 2);
+  forward(player);
+  REQUIRE_FALSE(player.sliders().empty());
+  player.slide(0, Exact::ratio(5, 8));
+  player.end_slide();
+  CHECK(player.unsaved());
+  CHECK_FALSE(player.would_be_missed());
+  bool went = false;
+  player.unless_unsaved([&](Player&) { went = true; });
+  CHECK(went);
+  REQUIRE(player.edit(move_point(player.session()->algorithm(), player.session()->inputs(), {"curve", 0, 0},
+                                 Point<Exact>(Exact(-3), Exact(-2), Exact(0))),
+                      "move"));
+  CHECK(player.would_be_missed());
+}
+
 TEST_CASE("At the end of a lesson its questions are summed up, and the answers can be saved") {
   World world;
   Player& player = world.player();

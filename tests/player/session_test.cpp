@@ -46,6 +46,33 @@ TEST_CASE("a session begins at step 0, unedited, in the arithmetic one wishes") 
   }
 }
 
+TEST_CASE("a point whose weight was 0 comes back to where it was, over several gestures and undo") {
+  const auto s = session();
+  const PointAddress address{"curve", 0, 3};
+  const std::string weight = "curve.weights[3]";
+  const auto place = [&] { return affine(curve_at(s->inputs(), {"curve", 0}), 3); };
+  const Point<Exact> before = place();
+  REQUIRE(s->edit(set_weight(s->algorithm(), s->inputs(), address, Exact(3)), "weight"));
+  const auto slide = [&](int to) {
+    REQUIRE(s->edit(s->with_number_at(weight, Exact(to)), "weight", "slide"));
+    CHECK(number_at(s->inputs(), weight) == Exact(to));
+  };
+  slide(0);
+  slide(2);  // in one gesture
+  CHECK(place() == before);
+  slide(0);
+  s->end_gesture();
+  slide(4);  // in another one
+  s->end_gesture();
+  CHECK(place() == before);
+  slide(0);
+  s->end_gesture();
+  REQUIRE(s->undo());
+  REQUIRE(s->redo());
+  slide(1);
+  CHECK(place() == before);
+}
+
 TEST_CASE("every edit is a new recording, what refers to the old one may keep it, and an edit of nothing is none") {
   const auto s = session();
   const auto before = s->shared_recording();

@@ -25,6 +25,31 @@ TEST_CASE("a file that nobody touches does not change") {
   CHECK(changes(watch) == 0);
 }
 
+TEST_CASE("that a file has gone is told once, and not while an editor replaces it") {
+  const Scratch scratch;
+  const fs::path file = scratch.write("a.json", "one");
+  FileWatch watch(file);
+  const auto gone = [&](int polls) {
+    int count = 0;
+    for (int i = 0; i < polls; ++i) {
+      watch.poll();
+      count += watch.has_gone() ? 1 : 0;
+    }
+    return count;
+  };
+  CHECK(gone(3) == 0);
+  fs::remove(file);
+  CHECK(gone(1) == 0);
+  scratch.write("a.json", "two");
+  CHECK(gone(3) == 0);
+  fs::remove(file);
+  CHECK(gone(5) == 1);
+  FileWatch none;
+  none.poll();
+  none.poll();
+  CHECK_FALSE(none.has_gone());
+}
+
 TEST_CASE("a change is told once") {
   const Scratch scratch;
   FileWatch watch(scratch.write("a.json", "one"));

@@ -172,7 +172,7 @@ TEST_CASE("The knot line marks each knot once, with its multiplicity") {
     auto place = places.begin();
     const double first = multiplicity.begin()->first, last = multiplicity.rbegin()->first;
     for (const auto& [u, times] : multiplicity) {
-      CHECK(shows(view, std::to_string(times) + "(" + format_short(u, 3) + ")"));
+      CHECK(shows(view, format_short(u, 3) + (times > 1 ? " ×" + std::to_string(times) : "")));
       CHECK((*place++ - places.front()) / (places.back() - places.front()) ==
             Approx((u - first) / (last - first)).margin(1e-12));
     }

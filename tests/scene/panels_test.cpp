@@ -95,8 +95,8 @@ TEST_CASE("The knots of a Bezier curve are shown only where they are asked for")
   CHECK(add_knot_line(sheet, lesson->source, 0, {}, 0, 0, 500) == 0);
   CHECK(sheet.view.labels.empty());
   CHECK(add_knot_line(sheet, lesson->source, 0, {}, 0, 0, 500, 0, true) > 0);
-  CHECK(shows(sheet, "4(0)"));
-  CHECK(shows(sheet, "4(1)"));
+  CHECK(shows(sheet, "0 ×4"));
+  CHECK(shows(sheet, "1 ×4"));
   CHECK(add_knot_line(sheet, lesson->source, 0, {}, 0, 0, 500, 1, true) == 0);  // there is no second curve
 }
 

@@ -204,6 +204,25 @@ TEST_CASE("Where there is little room above the tabs, the first panel gives way,
   CHECK(a + 6 == Approx((a + b + 12) / 3));
 }
 
+TEST_CASE("The tab that needs little gives the panels above it what they miss") {
+  Panel code{.id = "code", .title = "", .slot = Slot::side, .order = 10, .draw = nullptr};
+  Panel formula{.id = "formula", .title = "", .slot = Slot::side, .order = 20, .draw = nullptr};
+  Panel tab{.id = "questions", .title = "", .slot = Slot::tabs, .order = 10, .draw = nullptr};
+  Panel picture{.id = "viewport", .title = "", .slot = Slot::main, .order = 0, .draw = nullptr};
+  tab.tight = [](const Ui&, double) { return 190.0; };
+  const auto wanted = [&](const Panel& panel, double) { return &panel == &code ? 160.0 : 134.0; };
+  const auto tight = [&](const Panel& panel, double) {
+    return &panel == &code ? 160.0 : &panel == &tab ? 190.0 : 80.0;
+  };
+  LayoutWish wish{.width = 1280, .height = 500, .lower_share = 0.62};
+  wish.tab = "questions";
+  const Layout layout = lay_out(
+      wish, {&code, &formula, &tab, &picture}, [](const Panel&) { return true; }, wanted, tight);
+  CHECK(placed(layout, "code").rect.height == Approx(160));
+  CHECK(placed(layout, "formula").rect.height == Approx(80));
+  CHECK(layout.tabs.height >= 190);
+}
+
 TEST_CASE("In a low window the picture is a tab, too") {
   std::mt19937 random(5);
   const Furniture room = furniture(random);

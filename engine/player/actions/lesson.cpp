@@ -38,7 +38,7 @@ const ActionGroup& actions_lesson() {
                                         return item && p.checkpoints().item(*item).open();
                                       }},
                                      {"lesson.save_checkpoints",
-                                      "Save the answers ...",
+                                      "Save the answers to the questions ...",
                                       {"Ctrl+Shift+A"},
                                       [](Player& p) { p.dialog = Dialog::save_checkpoints; },
                                       has_questions},

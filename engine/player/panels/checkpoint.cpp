@@ -2,6 +2,9 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include <utility>
+
+#include "algorithms/typeset.hpp"
 #include "player/ui/dialog.hpp"
 #include "player/ui/panel.hpp"
 #include "player/ui/predict_parts.hpp"
@@ -72,12 +75,25 @@ void answer_button(Ui& ui, const Item& item) {
   if (!item.open() || ui.player().asks_to_skip()) ImGui::NewLine();
 }
 
-void draw_fields(Ui& ui, const Checkpoints::Reply& reply) {
+// What is to be typed.
+const char* hint_of(const Player& player, const Item& item, const Checkpoints::Reply& reply) {
+  if (reply.size == 0) return "e.g. 0, 0, 1/2, 1, 1";
+  const TraceGraph& graph = player.session()->recording().graph();
+  const auto value = graph.find(item.checkpoint.value);
+  const bool whole =
+      item.checkpoint.kind == Checkpoint::Kind::span || (value && graph.value(*value).kind == ValueKind::integer);
+  return whole ? "a whole number" : "e.g. 3/4";
+}
+
+void draw_fields(Ui& ui, const Item& item, const Checkpoints::Reply& reply) {
   static constexpr const char* axes[] = {"x", "y", "z"};
   const std::size_t count = std::max<std::size_t>(reply.size, 1);
   const float beside = reply.size > 1 ? ui.px(20) : 0;
   const float room = ImGui::GetContentRegionAvail().x - ui.px(90);
-  const float width = std::min(ui.px(reply.size == 0 ? 320 : 110), room / static_cast<float>(count) - beside);
+  const float width = std::min(ui.px(reply.size == 0   ? 320
+                                     : reply.size == 1 ? 130
+                                                       : 110),
+                               room / static_cast<float>(count) - beside);
   bool entered = false;
   for (std::size_t i = 0; i < count; ++i) {
     std::string text;
@@ -97,7 +113,7 @@ void draw_fields(Ui& ui, const Checkpoints::Reply& reply) {
       ImGui::SetKeyboardFocusHere();
       ui.send([](Player& p) { p.checkpoints().keyboard_given(); });
     }
-    entered |= ImGui::InputTextWithHint("##number", i == 0 ? "e.g. 3/4" : "", &text,
+    entered |= ImGui::InputTextWithHint("##number", i == 0 ? hint_of(ui.player(), item, reply) : "", &text,
                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     if (ImGui::IsItemEdited()) {
       const auto pieces = split_numbers(text);  // a point that is copied from elsewhere comes in one piece
@@ -263,13 +279,26 @@ void draw_mark_of(Ui& ui, const Item& item) {
   }
 }
 
+bool skip_seen = false;  // in the frame before
+
+// Above the question, where it is seen.
 void draw_skip(Ui& ui) {
+  if (!skip_seen) ImGui::SetScrollY(0);
   ImGui::PushStyleColor(ImGuiCol_Text, ui.ink(Role::text_current));
   ImGui::TextWrapped("This question is still open. Skip it? The same key again skips it, too.");
   ImGui::PopStyleColor();
   if (predict_button(ui, "Skip it", "checkpoint skip it")) ui.send([](Player& p) { p.skip_checkpoint(); });
   ImGui::SameLine();
   if (predict_button(ui, "Stay", "checkpoint stay")) ui.send([](Player& p) { p.stay_at_checkpoint(); });
+  ImGui::Separator();
+}
+
+// The answer as one would write it: "(12, 0)" and "3/4", not [12, 0] and "3/4" in quotes.
+std::string answer_words(const Item& item) {
+  std::string words = item.checkpoint.kind == Checkpoint::Kind::line ? "line " : "";
+  for (const char c : item.last()->answer)
+    if (c != '"') words += c == '[' ? '(' : c == ']' ? ')' : c;
+  return words;
 }
 
 void draw_answer(Ui& ui, const Session& session, const Item& item) {
@@ -296,11 +325,11 @@ void draw_answer(Ui& ui, const Session& session, const Item& item) {
       }
       [[fallthrough]];
     case Checkpoint::Kind::predict:
-      if (takes) draw_fields(ui, reply);
+      if (takes) draw_fields(ui, item, reply);
       break;
   }
   if (!takes && item.last() != nullptr && item.checkpoint.choices.empty() && item.checkpoint.items.empty())
-    quiet_text(ui, "Your answer: " + printable(item.last()->answer));
+    quiet_text(ui, "Your answer: " + printable(answer_words(item)));
   if (!reply.problem.empty()) {
     dialog_warning(ui, reply.problem);
     ui.thing("checkpoint problem");
@@ -309,6 +338,8 @@ void draw_answer(Ui& ui, const Session& session, const Item& item) {
 
 void draw_question(Ui& ui, const Session& session, std::size_t which) {
   const Item& item = ui.player().checkpoints().item(which);
+  if (ui.player().asks_to_skip()) draw_skip(ui);
+  skip_seen = ui.player().asks_to_skip();
   prose(ui, ui.player().beat_text(item.checkpoint.ask), 1.08, Role::text_strong);
   if (session.edited()) {
     quiet_text(ui, "It is asked of the lesson's own numbers, and these were changed.");
@@ -316,8 +347,7 @@ void draw_question(Ui& ui, const Session& session, std::size_t which) {
     return;
   }
   draw_answer(ui, session, item);
-  draw_mark_of(ui, item);
-  if (ui.player().asks_to_skip()) return draw_skip(ui);
+  if (!ui.player().checkpoints().takes()) draw_mark_of(ui, item);
   if (item.checkpoint.choices.empty() && item.checkpoint.items.empty()) skip_button(ui, item);
 }
 
@@ -331,7 +361,9 @@ std::string ask_in_short(const Player& player, const Item& item) {
   if (!filled && words.find('{') != std::string::npos) return player.scene_heading(item.scene);
   std::string text = plain_text(read_prose(filled.value_or(words)));
   std::ranges::replace(text, '\n', ' ');
-  return text;
+  // Names as they are set elsewhere: P₁⁽¹⁾ for P[1][1].
+  const Algorithm& algorithm = *player.session()->document().lesson->scene_at(item.scene).algorithm;
+  return unicode_text(typeset_text(text, algorithm));
 }
 
 void draw_summary(Ui& ui) {
@@ -360,10 +392,16 @@ void draw_summary(Ui& ui) {
   predict_action(ui, "lesson.save_checkpoints", "Save the answers ...");
 }
 
+double content_height = 0;
+
+// With the tabs above it.
+double tight(const Ui&, double) { return content_height + 60; }
+
 void draw(Ui& ui) {
   const Session& session = *ui.player().session();
   const auto here = ui.player().checkpoint();
   ImGui::BeginChild("checkpoint", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+  const float top = ImGui::GetCursorPosY();
   ImGui::PushItemFlag(ImGuiItemFlags_Inputable, true);  // Tab is to come to buttons, too
   if (here) {
     draw_row(ui, ui.player().checkpoints(), here);
@@ -372,6 +410,8 @@ void draw(Ui& ui) {
     draw_summary(ui);
   }
   ImGui::PopItemFlag();
+  // What it takes, for the next frame.
+  if (const double now = ui.units(ImGui::GetCursorPosY() - top); std::exchange(content_height, now) != now) ui.redraw();
   ImGui::EndChild();
 }
 
@@ -382,7 +422,7 @@ bool relevant(const Player& player) {
 }  // namespace
 
 const Panel& panel_checkpoint() {
-  static const Panel panel{"checkpoint", "Questions", Slot::tabs, 5, draw, relevant, nullptr, 0, true};
+  static const Panel panel{"checkpoint", "Questions", Slot::tabs, 5, draw, relevant, nullptr, 0, true, false, tight};
   return panel;
 }
 

@@ -25,9 +25,7 @@ void draw(Ui& ui) {
   quiet_text(ui, "in " + printable(file.path().parent_path().string()));
   std::filesystem::path name = file.text;
   const auto kind = [&](const char* label, const char* extension, const char* thing) {
-    if (ImGui::RadioButton(label, name.extension() == extension))
-      file.text = name.replace_extension(extension).string();
-    ui.thing(thing);
+    if (radio(ui, label, thing, name.extension() == extension)) file.text = name.replace_extension(extension).string();
   };
   kind("PNG, for the screen and for slides", ".png", "dialog png");
   kind("SVG, for print at any size", ".svg", "dialog svg");

@@ -32,9 +32,8 @@ void themes(Ui& ui) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     theme_sample(ui, **theme, at);
     ImGui::SetCursorScreenPos({at.x + ui.px(68), at.y});
-    if (ImGui::RadioButton(std::string(title).c_str(), ui.player().settings.theme == name))
+    if (radio(ui, std::string(title), "settings " + std::string(name), ui.player().settings.theme == name))
       ui.send([theme_name = std::string(name)](Player& player) { player.settings.theme = theme_name; });
-    ui.thing("settings " + std::string(name));
   }
 }
 
@@ -58,9 +57,8 @@ void languages(Ui& ui) {
   for (const std::string& each : all) {
     if (each != all.front()) ImGui::SameLine();
     const bool on = known ? ui.player().language() == each : each == all.front();
-    if (ImGui::RadioButton(name_of_language(each).c_str(), on))
+    if (radio(ui, name_of_language(each), "settings language " + each, on))
       ui.send([each](Player& player) { player.settings.language = each; });
-    ui.thing("settings language " + each);
   }
   ImGui::Dummy({0, ui.px(2)});
 }

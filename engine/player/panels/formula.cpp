@@ -1,4 +1,6 @@
 // Where the step's value comes from: the formula with symbols, then with the numbers filled in, then the result.
+#include <algorithm>
+
 #include "algorithms/typeset.hpp"
 #include "player/ui/panel.hpp"
 #include "player/ui/ui.hpp"
@@ -8,7 +10,7 @@ namespace {
 
 // Calls say(text, size, role) for each line; false: the step makes nothing.
 template <class Say>
-bool each_line(Ui& ui, const Say& say) {
+bool each_line(const Ui& ui, const Say& say) {
   const Session& session = *ui.player().session();
   const StepSource& source = session.recording().source();
   const ValueId v = source.graph->main_value(session.step());
@@ -37,10 +39,27 @@ void draw(Ui& ui) {
 // The same at every step: the panels are not to move while one steps. Four lines, as most steps have.
 double wanted(const Ui&, double) { return 134; }
 
+// What this step says.
+double tight(const Ui& ui, double width) {
+  double content = 0;
+  each_line(ui, [&](const std::string& text, double size, Role role) {
+    double height = 0;
+    ui.flow(text, width - 24, size, role, height);
+    content += height + 6;
+  });
+  return std::clamp(content + 18, 44.0, wanted(ui, width));
+}
+
 }  // namespace
 
 const Panel& panel_formula() {
-  static const Panel panel{"formula", "Formula", Slot::side, 20, draw, nullptr, wanted};
+  static const Panel panel{.id = "formula",
+                           .title = "Formula",
+                           .slot = Slot::side,
+                           .order = 20,
+                           .draw = draw,
+                           .height = wanted,
+                           .tight = tight};
   return panel;
 }
 

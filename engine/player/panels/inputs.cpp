@@ -226,10 +226,13 @@ void draw(Ui& ui) {
   ImGui::EndChild();
 }
 
+// Some rows of a list that scrolls.
+double tight(const Ui&, double) { return 230; }
+
 }  // namespace
 
 const Panel& panel_inputs() {
-  static const Panel panel{"inputs", "Inputs", Slot::tabs, 20, draw, nullptr, nullptr, 0, true};
+  static const Panel panel{"inputs", "Inputs", Slot::tabs, 20, draw, nullptr, nullptr, 0, true, false, tight};
   return panel;
 }
 

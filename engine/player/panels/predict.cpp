@@ -13,8 +13,7 @@ namespace {
 void invite(Ui& ui) {
   ImGui::TextWrapped(
       "Say what each step makes before you see it: type it, or click the place in the picture. Your answers can be "
-      "saved "
-      "as a file to hand in.");
+      "saved as a file to hand in.");
   ImGui::Spacing();
   if (predict_button(ui, "Predict the steps", "predict start")) ui.act("predict.toggle");
 }
@@ -117,7 +116,8 @@ void draw_fields(Ui& ui, const Session& session, const AskedValue& question, std
   ImGui::SameLine();
   const bool pressed = predict_button(ui, attempt ? "Change" : "Answer", "predict answer", "Enter");
   if (pressed || entered) ui.send([](Player& p) { p.submit_draft(); });
-  if (question.kind == ValueKind::point && question.form == Form::affine) {
+  const bool spatial = session.recording().source().spatial();
+  if (question.kind == ValueKind::point && question.form == Form::affine && !spatial) {
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize("or click the place").x) ImGui::NewLine();
     ImGui::TextDisabled("or click the place");

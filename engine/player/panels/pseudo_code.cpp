@@ -14,6 +14,11 @@ void draw(Ui& ui) {
   Sheet sheet;
   const double height =
       add_pseudo_code(sheet, session.recording().source(), session.step(), ui.player().emphasis(), 6, 4, width - 12);
+  // Another lesson's code begins at its beginning.
+  static std::string seen;
+  const Document& document = session.document();
+  if (const std::string now = document.file.string() + " " + document.id(); std::exchange(seen, now) != now)
+    ImGui::SetScrollY(0);
   // Where not all of it has room, the line of the step is kept in sight.
   float& seen_room = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("room"));
   const bool other_room = std::exchange(seen_room, ImGui::GetWindowHeight()) != ImGui::GetWindowHeight();
@@ -39,7 +44,7 @@ void draw(Ui& ui) {
 double wanted(const Ui& ui, double width) {
   const Session& session = *ui.player().session();
   Sheet measured;
-  return add_pseudo_code(measured, session.recording().source(), session.step(), {}, 6, 4, width - 34) + 24;
+  return add_pseudo_code(measured, session.recording().source(), session.step(), {}, 6, 4, width - 34) + 30;
 }
 
 }  // namespace

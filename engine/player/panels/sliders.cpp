@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/typeset.hpp"
 #include "player/ui/dialog.hpp"
 #include "player/ui/panel.hpp"
 
@@ -84,7 +83,7 @@ void draw_slider(Ui& ui, std::size_t which, float width) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = at.y + height / 2, text_y = middle - ImGui::GetFontSize() / 2;
 
-  const std::string label = slider.label.empty() ? slider.input : printable(slider.label.in(player.language()));
+  const std::string label = player.slider_words(slider);
   const std::string now = " = " + words_of(player, *value);
   const float label_room = width * 0.42f - ImGui::CalcTextSize(now.c_str()).x;
   const std::string cut = shortened(label, std::max(label_room, ui.px(30)));

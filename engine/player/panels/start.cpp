@@ -120,6 +120,20 @@ void draw_foot(Ui& ui, const ShelfItem& item, ImVec2 low, ImVec2 high) {
   list.AddRectFilled({low.x, y}, {low.x + share * (high.x - low.x), high.y}, ui.color(Role::current), ui.px(2));
 }
 
+// All of what a card has room for a part of.
+void tooltip(Ui& ui, const ShelfItem& item) {
+  ImGui::BeginTooltip();
+  ImGui::PushFont(ui.regular());
+  ImGui::PushTextWrapPos(ui.px(380));
+  ImGui::TextUnformatted(item.title.c_str());
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.ink(Role::text_quiet));
+  if (!item.summary.empty()) ImGui::TextUnformatted(item.summary.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+  ImGui::PopFont();
+  ImGui::EndTooltip();
+}
+
 void draw_card(Ui& ui, const ShelfItem& item, ImVec2 at, ImVec2 size) {
   ImGui::SetCursorScreenPos(at);
   const std::string name = card_name(item);
@@ -132,6 +146,7 @@ void draw_card(Ui& ui, const ShelfItem& item, ImVec2 at, ImVec2 size) {
   ui.thing(name, {std::max(at.x, clip_low.x), std::max(at.y, clip_low.y)},
            {std::min(high.x, clip_high.x), std::min(high.y, clip_high.y)});
   const bool hovered = ImGui::IsItemHovered(), focused = ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
+  if (hovered && item.kind == Document::Kind::exercise) tooltip(ui, item);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, high, ui.color(Role::panel), ui.px(8));
   const ImVec2 inner{at.x + ui.px(pad), at.y + ui.px(pad)};
@@ -152,8 +167,10 @@ void draw_card(Ui& ui, const ShelfItem& item, ImVec2 at, ImVec2 size) {
     list.AddText({from.x + ui.px(6), from.y + ui.px(2)}, ui.ink(Role::text), mark);
     ImGui::PopFont();
   }
+  const bool numbered = item.kind == Document::Kind::lesson && !item.number.empty();
+  const std::string title = (numbered ? item.number + "  " : "") + item.title;
   const float below_title =
-      draw_lines(ui.bold(), ui.ink(Role::text), {inner.x, picture_high.y + ui.px(8)}, width, most_titles, item.title);
+      draw_lines(ui.bold(), ui.ink(Role::text), {inner.x, picture_high.y + ui.px(8)}, width, most_titles, title);
   draw_lines(ui.small(), ui.ink(Role::text_quiet), {inner.x, below_title + ui.px(4)}, width, most_summary,
              item.summary);
   draw_foot(ui, item, {inner.x, high.y - ui.px(pad) - ui.px(6) - line_height(ui.small())},
@@ -197,7 +214,7 @@ void draw_chips(Ui& ui, const ShelfItem& lesson, const ById& exercises, ImVec2 a
       ui.send([file = own[i]->file](Player& player) { player.open(file); });
     ImGui::PopID();
     ui.thing(card_name(*own[i]));
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", own[i]->title.c_str());
+    if (ImGui::IsItemHovered()) tooltip(ui, *own[i]);
     x += wide + ui.px(4);
   }
   ImGui::PopStyleVar();
@@ -256,8 +273,8 @@ void draw_cards(Ui& ui, const std::vector<Item>& items, const ById& exercises, s
 }
 
 bool is_found(const ShelfItem& item, const std::string& search) {
-  return contains(item.title, search) || contains(item.unit, search) || contains(item.summary, search) ||
-         contains(item.file.stem().string(), search);
+  return contains(item.title, search) || contains(item.elsewhere, search) || contains(item.unit, search) ||
+         contains(item.summary, search) || contains(item.file.stem().string(), search);
 }
 
 // The way to each unit, where there are so many lessons that one would have to look for it.
@@ -514,7 +531,7 @@ void draw(Ui& ui) {
     quiet_text(ui, "No lessons were found here. Open a file, or drop one onto this window.");
   } else if (std::ranges::none_of(items, [](const Item& item) { return is_found(*item, search); }) &&
              std::ranges::none_of(scenes, [](const ShelfScene& scene) { return is_found(scene, search); })) {
-    quiet_text(ui, "Nothing is called so.");
+    quiet_text(ui, "Nothing found.");
   }
   if (shelf != nullptr && !shelf->diagnostics().empty()) {
     ImGui::Dummy({0, ui.px(6)});

@@ -6,6 +6,7 @@
 
 #include "algorithms/typeset.hpp"
 #include "player/panels/mouse.hpp"
+#include "player/ui/dialog.hpp"
 #include "player/ui/panel.hpp"
 #include "scene/beat_look.hpp"
 
@@ -40,9 +41,7 @@ void add_reply(View& view, const Player& player) {
     if (!number || !std::isfinite(number->to_double())) return;
     place[static_cast<int>(i)] = number->to_double();
   }
-  const StepSource& source = player.session()->recording().source();
-  const std::string& name = player.checkpoints().item(*player.checkpoint()).checkpoint.value;
-  add_guess(view, place, Role::highlight, typeset_text(name + " ?", source.algorithm_at(player.session()->step())));
+  add_guess(view, place, Role::highlight, {{"?"}});
 }
 
 void add_guesses(View& view, const Player& player) {
@@ -55,7 +54,8 @@ void add_guesses(View& view, const Player& player) {
     if (const auto at = player.said_place(*question)) {
       const AskedValue& asks = prediction->questions()[*question];
       const Algorithm& algorithm = session.recording().source().algorithm_at(asks.step);
-      add_guess(view, *at, Role::highlight, typeset_text(asks.name + " ?", algorithm));
+      const std::string name = session.recording().source().own_name(asks.value);
+      add_guess(view, *at, Role::highlight, typeset_text(name + " ?", algorithm));
     }
   }
   if (prediction->veiled(session.step())) return;
@@ -239,8 +239,8 @@ constexpr std::array<Tool, 4> space_tools = {
 
 constexpr double tools_height = 25;  // of the strip above the picture, where no point can be under them
 
-// From the right; those that do not fit are in the menus.
-void draw_tools(Ui& ui, bool spatial, ImVec2 at, float room) {
+// From the right; those that do not fit are in the menus. Where they begin.
+float draw_tools(Ui& ui, bool spatial, ImVec2 at, float room) {
   std::vector<Tool> tools(plane_tools.begin(), plane_tools.end());
   if (spatial) tools.insert(tools.begin(), space_tools.begin(), space_tools.end());
   const float pad = ui.px(6), gap = ui.px(3);
@@ -256,6 +256,26 @@ void draw_tools(Ui& ui, bool spatial, ImVec2 at, float room) {
     ui.action_button(tools[i].action, tools[i].label);
   }
   ImGui::PopStyleVar(2);
+  return at.x + room - width;
+}
+
+// That one may answer here, in the strip, where it covers nothing.
+void draw_question(Ui& ui, ImVec2 at, float right) {
+  const Player& player = ui.player();
+  std::string words = "Click your answer in the picture.";
+  if (player.asks_place()) {
+    const Session& session = *player.session();
+    const AskedValue& asked = session.prediction()->questions()[*player.asked()];
+    const StepSource& source = session.recording().source();
+    const std::string name = unicode_text(typeset_text(source.own_name(asked.value), source.algorithm_at(asked.step)));
+    words = "Where will " + name + " be? Click there.";
+  } else if (!player.checkpoint_asks_place()) {
+    return;
+  }
+  const std::string shown = shortened(words, right - at.x);
+  ImGui::GetWindowDrawList()->AddText(at, ui.ink(Role::text_current), shown.c_str());
+  const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
+  ui.thing("viewport question", at, {at.x + size.x, at.y + size.y});
 }
 
 // The three axes as the camera sees them.
@@ -289,8 +309,9 @@ void draw(Ui& ui) {
   // In a small picture there is no room for them; keys and menus have them all.
   if (ui.units(room.x) >= 240 && ui.units(room.y) >= 180) {
     ImGui::PushFont(ui.small());
-    draw_tools(ui, player.shown_camera().kind == Camera::Kind::orbit, {origin.x + ui.px(4), origin.y + ui.px(3)},
-               room.x - ui.px(8));
+    const float tools = draw_tools(ui, player.shown_camera().kind == Camera::Kind::orbit,
+                                   {origin.x + ui.px(4), origin.y + ui.px(3)}, room.x - ui.px(8));
+    draw_question(ui, {origin.x + ui.px(8), origin.y + ui.px(5)}, tools - ui.px(8));
     ImGui::PopFont();
     const float strip = std::round(ui.px(tools_height));
     origin.y += strip;
@@ -326,15 +347,6 @@ void draw(Ui& ui) {
   const Mouse mouse{ui, origin, size};
   handle_mouse(ui, mouse, spots);
   draw_held(ui, mouse, low, high);
-  if (asks && player.held() == nullptr) {
-    const std::string name = player.asks_place() ? session.prediction()->questions()[*player.asked()].name
-                                                 : player.checkpoints().item(*player.checkpoint()).checkpoint.value;
-    const ImVec2 corner{origin.x + ui.px(2), origin.y + room.y - ui.px(2)};
-    const Algorithm& algorithm = session.recording().source().algorithm_at(session.step());
-    const std::string shown = unicode_text(typeset_text(name, algorithm));
-    draw_tag(ui, *ImGui::GetWindowDrawList(), corner, "Where will " + shown + " be? Click there.", Role::text,
-             {corner.x, low.y}, {high.x, corner.y});
-  }
 }
 
 }  // namespace

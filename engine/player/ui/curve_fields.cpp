@@ -135,10 +135,14 @@ void draw_point(Ui& ui, InputFields& fields, const CurveAddress& address, const 
     });
   }
   column(columns.number_x(dimension));
-  over |= fields.number(
-      {in_list(path, "weights", i), name + " weight", curve.points[i].w, NumberStyle::parameter, columns.number,
-       !curve.rational},
-      [point](const Session& s, const Exact& w) { return set_weight(s.algorithm(), s.inputs(), point, w); });
+  over |= fields.number({in_list(path, "weights", i), name + " weight", curve.points[i].w, NumberStyle::parameter,
+                         columns.number, !curve.rational},
+                        [point, weight = in_list(path, "weights", i)](const Session& s, const Exact& w) {
+                          // A point of weight 0 comes back to where it was.
+                          return number_at(s.inputs(), weight) == Exact(0)
+                                     ? s.with_number_at(weight, w)
+                                     : set_weight(s.algorithm(), s.inputs(), point, w);
+                        });
   if (over && value) ui.light({Link::Kind::value, *value});
 
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});

@@ -105,6 +105,18 @@ bool dialog_buttons(Ui& ui, const char* main, bool enabled, const char* cancel) 
   return pressed;
 }
 
+bool radio(Ui& ui, const std::string& label, const std::string& name, bool chosen) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushID(name.c_str());
+  const bool pressed = ImGui::RadioButton(label.c_str(), chosen);
+  ImGui::PopID();
+  const float half = ImGui::GetFrameHeight() / 2;
+  ImGui::GetWindowDrawList()->AddCircle({at.x + half, at.y + half}, half - ui.px(0.5), ui.color(Role::polygon), 0,
+                                        ui.px(1));
+  ui.thing(name);
+  return pressed;
+}
+
 void dialog_warning(Ui& ui, const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ui.ink(Role::mistake));
   ImGui::PushTextWrapPos(0);

@@ -29,6 +29,8 @@ bool dialog_field(Ui&, const char* label, const std::string& name, std::string& 
 // The row of buttons below: "dialog cancel" (none without a label) and "dialog ok", which is also meant by Enter while
 // no button has the focus. True: the main one was pressed.
 bool dialog_buttons(Ui&, const char* main, bool enabled = true, const char* cancel = "Cancel");
+// ImGui's, with a ring around it that is seen on every ground.
+bool radio(Ui&, const std::string& label, const std::string& name, bool chosen);
 // A line that something is wrong, with a sign before it.
 void dialog_warning(Ui&, const std::string& text);
 void quiet_text(Ui&, const std::string& text);  // wrapped

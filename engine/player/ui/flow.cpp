@@ -19,6 +19,7 @@ struct Word {
   bool display = false;        // of a formula
   double indent = 0;           // in ems: where lines begin that go on from here
   bool at_indent = false;      // it begins there, too: behind a bullet
+  std::string around = {};     // of a letter that may be a word, "a" or "I": what tells
 };
 
 bool is_name_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.'; }
@@ -61,6 +62,15 @@ std::optional<ValueId> value_named(std::string_view name, const TraceGraph& grap
   }
 }
 
+// The letter with what stands before it and the word behind it.
+std::string around_letter(const std::string& text, std::size_t at) {
+  if (std::string_view("AIa").find(text[at]) == std::string_view::npos) return {};
+  const std::size_t before = text.substr(0, at).find_last_not_of(" \n\"(");
+  const std::size_t end = text.find_first_of(" \n", std::min(at + 2, text.size()));
+  return (before == std::string::npos ? "" : text.substr(before, 1) + " ") +
+         text.substr(at, end == std::string::npos ? end : end - at);
+}
+
 std::vector<Word> words_of(const std::string& text, const TraceGraph& graph, std::uint32_t step,
                            const std::string& scope) {
   std::vector<Word> words;
@@ -83,6 +93,7 @@ std::vector<Word> words_of(const std::string& text, const TraceGraph& graph, std
       std::optional<ValueId> value = value_named(name, graph, scope);
       if (value && graph.value(*value).step > step) value.reset();
       add(name, value);
+      if (length == 1) words.back().around = around_letter(text, i);
       i += length;
       continue;
     }
@@ -167,6 +178,15 @@ struct Piece {  // a word, set
   bool lit = false;
 };
 
+const std::string at_most = "\u2264";
+
+// "a curve": no name, unlike the a of "a times 2". Which it is the words around it tell.
+bool is_article(const Word& word, const Algorithm& algorithm) {
+  return !word.around.empty() && std::ranges::none_of(typeset_text(word.around, algorithm), [&](const TextRun& run) {
+    return run.italic && run.text == word.text;
+  });
+}
+
 RichText look_of(const Word& word, const Algorithm& algorithm) {
   const Span* span = word.span;
   if (span != nullptr && span->math != nullptr) {
@@ -177,9 +197,9 @@ RichText look_of(const Word& word, const Algorithm& algorithm) {
   }
   const bool code = span != nullptr && span->kind == Span::Kind::code;
   // The s of "Boor's" is not the multiplicity.
-  const bool plain = code || (word.text.starts_with('\'') && !word.blank_before);
-  RichText runs =
-      plain ? RichText{{word.text, TextRun::Level::base, false, false, code}} : typeset_text(word.text, algorithm);
+  const bool plain = code || (word.text.starts_with('\'') && !word.blank_before) || is_article(word, algorithm);
+  const std::string& text = word.text == "<=" && !code ? at_most : word.text;
+  RichText runs = plain ? RichText{{text, TextRun::Level::base, false, false, code}} : typeset_text(text, algorithm);
   for (TextRun& run : runs) {
     run.bold = run.bold || (span != nullptr && span->bold);
     run.italic = run.italic || (span != nullptr && span->italic && run.level == TextRun::Level::base);

@@ -108,6 +108,7 @@ std::string not_now(const Player& player, const Action& action) {
   std::string title(action.title);
   if (title.ends_with(" ...")) title.resize(title.size() - 4);
   const std::string reason = reason_against(player, action.id);
+  if (reason.starts_with("This is the ")) return reason;  // which names what one wanted
   return "Not now: " + title + "." + (reason.empty() ? "" : " " + reason);
 }
 

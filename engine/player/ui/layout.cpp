@@ -18,22 +18,29 @@ constexpr double least_stacked = 120;  // height of all panels above the tabs
 
 using Wanted = std::function<double(const Panel&, double width)>;
 
-// How high the panels above the tabs are, with the gaps below them. Where there is too little for all, the later ones
-// (the formula, whose last line is the result) have what they need, and the first (the code, which follows its line)
-// gives way, but not below a third. With too much, they are no higher than they want, unless the border is fixed.
+double sum_of(const std::vector<const Panel*>& stacked, double width, const Wanted& height) {
+  double sum = 0;
+  for (const Panel* panel : stacked) sum += height(*panel, width) + gap;
+  return sum;
+}
+
+// How high the panels above the tabs are, with the gaps below them. Where there is too little for all, the first (the
+// code) has all of its lines as long as the later ones (the formula, whose last line is the result) have what they say;
+// where even that is too much, it gives way, but not below a third. With too much room, they are no higher than they
+// want, unless the border is fixed.
 std::vector<std::pair<const Panel*, double>> heights_of(const std::vector<const Panel*>& stacked, double width,
-                                                        double room, bool fixed, const Wanted& wanted) {
+                                                        double room, bool fixed, const Wanted& wanted,
+                                                        const Wanted& tight) {
   std::vector<std::pair<const Panel*, double>> heights;
-  double needed = 0;
-  for (const Panel* panel : stacked) {
-    heights.emplace_back(panel, wanted(*panel, width) + gap);
-    needed += heights.back().second;
-  }
+  for (const Panel* panel : stacked) heights.emplace_back(panel, wanted(*panel, width) + gap);
   if (heights.empty()) return heights;
-  double later = needed - heights.front().second, &first = heights.front().second;
+  const double needed = sum_of(stacked, width, wanted);
+  double& first = heights.front().second;
   if (needed > room) {
+    const double later = needed - first;
+    const double said = later > 0 ? sum_of({stacked.begin() + 1, stacked.end()}, width, tight) : 0;
     const double least = heights.size() == 1 ? room : std::min(first, room / 3);
-    const double given = std::min(later, room - least);
+    const double given = std::min(std::max(said, room - first), room - least);
     for (std::size_t i = 1; i < heights.size(); ++i) heights[i].second *= given / later;
     first = room - given;
   } else if (fixed) {
@@ -46,7 +53,9 @@ std::vector<std::pair<const Panel*, double>> heights_of(const std::vector<const 
 
 Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
                const std::function<bool(const Panel&)>& relevant,
-               const std::function<double(const Panel&, double width)>& wanted) {
+               const std::function<double(const Panel&, double width)>& wanted,
+               const std::function<double(const Panel&, double width)>& can_do_with) {
+  const auto& tight = can_do_with ? can_do_with : wanted;
   Layout layout;
   const auto of_slot = [&](Slot slot) {
     std::vector<const Panel*> found;
@@ -103,10 +112,18 @@ Layout lay_out(const LayoutWish& wish, const std::vector<const Panel*>& panels,
     layout.side = {x, top, side_width, side_height};
     layout.side_x = x - gap;
     double y = top;
-    const double lower = stacked.empty() ? side_height
-                                         : std::clamp(wish.lower_share * side_height, least_tabs,
-                                                      std::max(least_tabs, side_height - least_stacked));
-    for (const auto& [panel, height] : heights_of(stacked, side_width, side_height - lower, wish.lower_fixed, wanted)) {
+    double lower = stacked.empty() ? side_height
+                                   : std::clamp(wish.lower_share * side_height, least_tabs,
+                                                std::max(least_tabs, side_height - least_stacked));
+    // What the panels above miss comes from what the tab does not need.
+    const auto active = std::ranges::find(tabs, wish.tab, &Panel::id);
+    if (!stacked.empty() && !wish.lower_fixed && active != tabs.end() && (*active)->tight != nullptr) {
+      const double missing = sum_of(stacked, side_width, tight) - (side_height - lower);
+      const double spare = lower - std::max(least_tabs, tight(**active, side_width));
+      lower -= std::clamp(missing, 0.0, std::max(spare, 0.0));
+    }
+    for (const auto& [panel, height] :
+         heights_of(stacked, side_width, side_height - lower, wish.lower_fixed, wanted, tight)) {
       layout.placed.push_back({panel, {x, y, side_width, std::max(height - gap, 0.0)}});
       y += height;
     }

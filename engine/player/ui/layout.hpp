@@ -29,11 +29,14 @@ struct LayoutWish {
   bool page = false;  // nothing is open
   // One has put the border above the tabs where it is; otherwise they have what the panels above leave, too.
   bool lower_fixed = false;
+  std::string_view tab;  // the id of the one that is open
 };
 
-// `wanted` says how high a panel wants to be at a width; `relevant` which panels there are.
+// `wanted` says how high a panel wants to be at a width, and `tight` with how little it can do; `relevant` which panels
+// there are.
 Layout lay_out(const LayoutWish&, const std::vector<const Panel*>& panels,
                const std::function<bool(const Panel&)>& relevant,
-               const std::function<double(const Panel&, double width)>& wanted);
+               const std::function<double(const Panel&, double width)>& wanted,
+               const std::function<double(const Panel&, double width)>& tight = {});
 
 }  // namespace blossom

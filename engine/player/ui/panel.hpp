@@ -33,6 +33,8 @@ struct Panel {
   double least = 0;      // in units: below this much it is left out (strip) or becomes a tab (side)
   bool widgets = false;  // made of Dear ImGui's widgets, which take arrow keys while the keyboard is in it
   bool studio = false;   // of the studio, not of the lessons
+  // At the side, where there is too little room for all: how little it can do with, in units. nullptr: what it wants.
+  double (*tight)(const Ui&, double width) = nullptr;
 };
 
 const std::vector<const Panel*>& panels();

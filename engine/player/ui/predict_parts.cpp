@@ -181,6 +181,16 @@ void draw_feedback(Ui& ui, const Prediction& prediction, std::size_t q) {
   ImGui::Unindent(ui.px(22));
 }
 
+// The knot i of the first curve as numbers are shown now.
+static std::string knot_words(const Session& session, int i) {
+  const Inputs<Exact>& inputs = session.inputs();
+  const auto curves = curves_of(inputs);
+  const auto at = static_cast<std::size_t>(i);
+  if (session.exact() && !curves.empty() && at < curve_at(inputs, curves.front()).knots.size())
+    return number_text(curve_at(inputs, curves.front()).knots[at]);
+  return format_short(session.recording().source().curves.front().knots[at], 3);
+}
+
 void draw_spans(Ui& ui, const Session& session, const std::string& name,
                 void (*picked)(Player&, const std::string& index)) {
   const auto& curves = session.recording().source().curves;
@@ -191,7 +201,8 @@ void draw_spans(Ui& ui, const Session& session, const std::string& name,
   for (int i = curve.degree; i <= curve.n(); ++i) {
     const double a = curve.knots[static_cast<std::size_t>(i)], b = curve.knots[static_cast<std::size_t>(i) + 1];
     if (!(a < b)) continue;
-    const std::string label = "[" + format_short(a, 3) + ", " + format_short(b, 3) + (i == curve.n() ? "]" : ")");
+    const std::string label =
+        "[" + knot_words(session, i) + ", " + knot_words(session, i + 1) + (i == curve.n() ? "]" : ")");
     const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
     if (!std::exchange(first, false)) {
       ImGui::SameLine();

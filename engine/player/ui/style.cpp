@@ -112,6 +112,8 @@ void Ui::make_style() {
   set(ImGuiCol_CheckMark, accent);
   set(ImGuiCol_SliderGrab, accent);
   set(ImGuiCol_SliderGrabActive, accent);
+  set(ImGuiCol_PlotHistogram, mix(background, accent, 0.45));
+  set(ImGuiCol_PlotHistogramHovered, mix(background, accent, 0.45));
   set(ImGuiCol_Button, soft);
   set(ImGuiCol_ButtonHovered, softer);
   set(ImGuiCol_ButtonActive, strong);

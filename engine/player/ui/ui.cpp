@@ -193,14 +193,23 @@ void Ui::draw_panels() {
   const auto wanted = [&](const Panel& panel, double at_width) {
     return panel.height != nullptr ? panel.height(*this, at_width) : 200.0;
   };
+  const auto tight = [&](const Panel& panel, double at_width) {
+    return panel.tight != nullptr ? panel.tight(*this, at_width) : wanted(panel, at_width);
+  };
   const double lower_share = player_->settings.lower_share;
   LayoutWish wish{width(),     height(), player_->settings.side_share,
-                  lower_share, !open,    lower_share != Settings{}.lower_share};
+                  lower_share, !open,    lower_share != Settings{}.lower_share,
+                  player_->tab};
   // What one fills in has more room than what one looks at.
   for (const Panel* panel : panels())
     if (!wish.lower_fixed && panel->slot == Slot::tabs && panel->id == player_->tab && panel->widgets)
       wish.lower_share = share_of_widgets;
-  const Layout layout = lay_out(wish, panels(), relevant, wanted);
+  // In a window with room for one panel only, a lesson begins with its picture.
+  const bool other = std::exchange(seen_session_, player_->session()) != player_->session();
+  const Layout layout = lay_out(wish, panels(), relevant, wanted, tight);
+  const auto picture = std::ranges::find(layout.tabbed, "viewport", &Panel::id);
+  if (other && player_->session() != nullptr && picture != layout.tabbed.end())
+    send([](Player& player) { player.tab = "viewport"; });
   for (const Placed& placed : layout.placed) draw_window(*placed.panel, placed.rect);
   if (!layout.tabbed.empty() && layout.tabs.height > 0) draw_tabs(layout);
   focus_request_.clear();  // of a panel that is not on the screen

@@ -147,6 +147,7 @@ class Ui {
   int width_ = 1280, height_ = 720;
   double pixels_per_unit_ = 1, scale_ = 1;
   int frames_wanted_ = 3;
+  const Session* seen_session_ = nullptr;
   std::deque<Event> events_;
   std::vector<std::function<void(Player&)>> sent_;
   std::map<std::string, PixelRect> things_;
