@@ -84,6 +84,11 @@ void read_formats(const ExportOptions& typed, ExportRequest& request, Diagnostic
              format_names()});
 }
 
+// Whether an extension is that of a format.
+bool names_a_file(const std::string& extension) {
+  return std::ranges::any_of(lesson_formats(), [&](const LessonFormat* f) { return f->extension == extension; });
+}
+
 void read_out(const ExportOptions& typed, ExportRequest& request, Diagnostics& mistakes) {
   request.out = typed.out;
   const auto mistake = [&](const std::string& message) { mistakes.push_back({"", 0, 0, "--out", message}); };
@@ -92,6 +97,10 @@ void read_out(const ExportOptions& typed, ExportRequest& request, Diagnostics& m
   const bool there = !typed.out.empty() && fs::exists(status);
   if (there && !fs::is_directory(status) && !fs::is_regular_file(status)) {
     mistake(excerpt(typed.out) + " must be a file or a folder, not a device");
+    return;
+  }
+  if (typed.out == "-") {
+    mistake("must be a file or a folder; an export is not written to the terminal");
     return;
   }
   const bool many = typed.all || request.formats.size() > 1 || typed.to.size() > 1;
@@ -107,7 +116,29 @@ void read_out(const ExportOptions& typed, ExportRequest& request, Diagnostics& m
   } else if (!request.into_folder && !format.many_files && extension != format.extension) {
     mistake("must end in " + std::string(format.extension) + " for --to " + std::string(format.id) + ", not in " +
             excerpt(extension) + "; or be a folder");
+  } else if (!there && (request.into_folder || format.many_files) && names_a_file(extension)) {
+    mistake("must be a folder, and " + excerpt(typed.out) + " would be one with a file's name");
   }
+}
+
+// An option that none of the formats has a use for, as far as it was typed.
+void refuse_useless(const CLI::App& app, const ExportRequest& request, Diagnostics& mistakes) {
+  if (request.formats.empty()) return;
+  const auto refuse = [&](const std::string& option, unsigned use, const std::string& about) {
+    if (app.count(option) == 0) return;
+    if (std::ranges::any_of(request.formats, [&](const LessonFormat* f) { return (f->takes & use) != 0; })) return;
+    std::string names;
+    for (const LessonFormat* format : lesson_formats())
+      if ((format->takes & use) != 0) names += (names.empty() ? "" : ", ") + std::string(format->id);
+    mistakes.push_back(
+        {"", 0, 0, option,
+         about + " (" + names + "); " + std::string(request.formats.front()->id) + " has no use for it"});
+  };
+  refuse("--size", export_use::size, "is for pictures and films");
+  refuse("--scale", export_use::scale, "is for pictures of pixels");
+  refuse("--fps", export_use::time, "is for films");
+  refuse("--seconds", export_use::time, "is for films");
+  refuse("--per-page", export_use::per_page, "is for handouts");
 }
 
 }  // namespace
@@ -131,7 +162,7 @@ void add_export_options(CLI::App& app, ExportOptions& options) {
   app.add_option("--fps", options.fps, "Of films: pictures a second, 1 to 60 (by default 30, of GIF 20)");
   app.add_option("--seconds", options.seconds,
                  "Of films: for each step, 0.1 to 600 (by default as long as its words are read)");
-  app.add_option("--per-page", options.per_page, "Of handouts: steps on a page, 1, 2, 4 or 6")->capture_default_str();
+  app.add_option("--per-page", options.per_page, "Of handouts: steps on a page, 1, 2 (by default), 4 or 6");
   app.add_option("--progress", options.progress, "bar: on a terminal, when it takes long; lines: for programs")
       ->check(CLI::IsMember({"bar", "lines"}));
   app.footer(formats_help() +
@@ -153,11 +184,12 @@ fs::path ExportRequest::place(const LessonFormat& format, const std::string& les
   return alone ? out : out / (lesson + "-" + std::string(format.id));
 }
 
-ExportRequest read_export_options(const ExportOptions& typed, Diagnostics& mistakes) {
+ExportRequest read_export_options(const CLI::App& app, const ExportOptions& typed, Diagnostics& mistakes) {
   ExportRequest request;
   request.all = typed.all;
   read_formats(typed, request, mistakes);
   read_out(typed, request, mistakes);
+  refuse_useless(app, request, mistakes);
   const PageLook look = read_page_look(typed.look, true, mistakes);
   LessonExportOptions& options = request.options;
   options.width = look.width;
@@ -167,7 +199,7 @@ ExportRequest read_export_options(const ExportOptions& typed, Diagnostics& mista
   options.frames_per_second = read_number("--fps", typed.fps, 1, 60, mistakes);
   options.seconds_per_step = read_number("--seconds", typed.seconds, 0.1, 600, mistakes);
   options.checkpoints = !typed.no_checkpoints;
-  const auto per_page = whole(typed.per_page);
+  const auto per_page = typed.per_page.empty() ? std::optional<std::uint32_t>(2) : whole(typed.per_page);
   if (per_page && (*per_page == 1 || *per_page == 2 || *per_page == 4 || *per_page == 6))
     options.per_page = static_cast<int>(*per_page);
   else

@@ -16,7 +16,7 @@ struct ExportOptions {
   SubjectOptions subject;
   PageLookOptions look;
   std::vector<std::string> to;
-  std::string out, steps, fps, seconds, per_page = "2", progress;
+  std::string out, steps, fps, seconds, per_page, progress;
   bool all = false, decimals = false, no_checkpoints = false;
 };
 void add_export_options(CLI::App&, ExportOptions&);
@@ -33,7 +33,7 @@ struct ExportRequest {
   // Where a format of a lesson goes.
   std::filesystem::path place(const LessonFormat&, const std::string& lesson) const;
 };
-// Adds all that is wrong.
-ExportRequest read_export_options(const ExportOptions&, Diagnostics&);
+// Adds all that is wrong. The app knows what was typed.
+ExportRequest read_export_options(const CLI::App&, const ExportOptions&, Diagnostics&);
 
 }  // namespace blossom

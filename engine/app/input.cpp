@@ -124,6 +124,15 @@ Checked<Subject> load_subject(const SubjectOptions& options) {
   return subject;
 }
 
+std::string Subject::scene_note() const {
+  if (!lesson || lesson->scene_count() < 2) return {};
+  std::string note = "Scene " + std::to_string(scene + 1) + " of " + std::to_string(lesson->scene_count()) + ": " +
+                     printable(lesson_scene()->heading.in(language)) + ". --scene NUMBER shows another:";
+  for (std::size_t i = 0; i < lesson->scene_count(); ++i)
+    note += (i == 0 ? " " : ", ") + std::to_string(i + 1) + " (" + lesson->scene_at(i).scene + ")";
+  return note;
+}
+
 Diagnostics at_inputs(const Subject& subject, const Diagnostics& of_run) {
   Diagnostics diagnostics;
   const Cursor root(subject.document, diagnostics);

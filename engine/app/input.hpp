@@ -29,6 +29,8 @@ struct Subject {
   JsonDocument document;  // where the inputs stand: it is them, or has them as its member "inputs" if it is a lesson
 
   std::string title() const { return lesson ? printable(lesson->title.in(language)) : std::string(algorithm->title); }
+  // "Scene 2 of 3: ...", with the way to the others; empty where there are no others.
+  std::string scene_note() const;
   const LessonScene* lesson_scene() const { return lesson ? &lesson->scene_at(scene) : nullptr; }
   // The narration of a step: the lesson's, where it has something to say.
   template <Scalar S>

@@ -160,11 +160,12 @@ std::optional<Exact> Cursor::number() const {
 }
 
 std::optional<int> Cursor::integer(int at_least, int at_most) const {
-  if (is(Json::Kind::number) || is(Json::Kind::string)) {
-    const auto number = Exact::parse(json_->text);
-    if (number && number->is_integer() && Exact(at_least) <= *number && *number <= Exact(at_most)) {
-      return static_cast<int>(number->to_double());
-    }
+  const bool quoted = is(Json::Kind::string);
+  if (const auto number = quoted || is(Json::Kind::number) ? Exact::parse(json_->text) : std::nullopt;
+      number && number->is_integer() && Exact(at_least) <= *number && *number <= Exact(at_most)) {
+    if (!quoted) return static_cast<int>(number->to_double());
+    error("is a count, and stands without quotation marks: " + number->to_string());
+    return std::nullopt;
   }
   error(whole_number_in(at_least, at_most) + ", not " + describe(*json_));
   return std::nullopt;

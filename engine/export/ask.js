@@ -18,7 +18,7 @@ const Questions = (() => {
 
   const all = lesson.scenes.flatMap(
       (scene, s) => scene.steps.flatMap((step, i) => (step.q ? [{...step.q, scene: s, at: i}] : [])));
-  const given = new Map();  // by id: { answer, right }
+  const given = new Map();  // by id: { answer, right, shown }: whether the page has told what is right
   const store = (write) => {
     try {
       return write(window.localStorage);
@@ -29,7 +29,7 @@ const Questions = (() => {
   try {
     const kept = JSON.parse(store((storage) => storage.getItem(STORE)) ?? "{}");
     for (const {id} of all)
-      if (kept[id] && "answer" in kept[id]) given.set(id, {answer: kept[id].answer, right: !!kept[id].right});
+      if (kept[id] && "answer" in kept[id]) given.set(id, {answer: kept[id].answer, right: !!kept[id].right, shown: !!kept[id].shown});
   } catch {
     given.clear();
   }
@@ -42,12 +42,12 @@ const Questions = (() => {
     for (const each of listeners) each();
   };
 
-  // A number as it is typed: 2, -0.4, 0,4, 2/5, -3/2; anything else is nothing.
+  // A number as it is typed: 2, -0.4, 0,4, 2/5, -3/2; anything else is nothing, as it is for who grades the file.
   const tidy = (text) => text.trim().replace(/[\u2212\u2013]/g, "-").replace(/\s+/g, "").replace(",", ".");
   const number = (text) => {
-    const parts = /^([+-]?(?:\d+\.?\d*|\.\d+))(?:\/(\d+\.?\d*))?$/.exec(tidy(text));
-    if (!parts || (parts[2] !== undefined && +parts[2] === 0)) return null;
-    return +parts[1] / (parts[2] === undefined ? 1 : +parts[2]);
+    const typed = tidy(text), parts = /^([+-]?\d+)\/(\d+)$/.exec(typed);
+    if (parts) return +parts[2] === 0 ? null : +parts[1] / +parts[2];
+    return /^[+-]?(?:\d+\.?\d*|\.\d+)$/.test(typed) ? +typed : null;
   };
   // As answers files have it: whole numbers as numbers, all others exactly as typed.
   const written = (text) => (/^[+-]?\d{1,15}$/.test(tidy(text)) ? +tidy(text) : tidy(text).replace(/^\+/, ""));
@@ -92,7 +92,7 @@ const Questions = (() => {
     }
 
     answer(answer, right) {
-      given.set(this.question.id, {answer, right});
+      given.set(this.question.id, {answer, right, shown: !!given.get(this.question.id)?.shown});
       changed();
       this.tell(right, answer);
       this.feedback.scrollIntoView({block: "nearest"});
@@ -117,9 +117,12 @@ const Questions = (() => {
     }
 
     show() {
-      const {kind, answer} = this.question;
-      if (kind === "predict" || kind === "span") this.complain(word("answer", {a: answer}));
-      else this.reveal(answer);
+      const {id, kind, answer} = this.question;
+      given.set(id, {...given.get(id), shown: true});
+      changed();
+      this.complain(word("answer", {a: answer}));
+      if (kind === "choice") this.feedback.append(...this.said("feedback", answer.charCodeAt(0) - 97));
+      this.reveal?.(answer);
     }
 
     // ---- choice and line: a button each --------------------------------------------------------------------------
@@ -149,7 +152,8 @@ const Questions = (() => {
       };
       this.marked = (right, answer) => mark(answer, right ? "right" : "wrong");
       this.fill = () => {};
-      this.reveal = (answer) => mark(answer, "right");
+      // Beside what was picked, which stays as it is.
+      this.reveal = (answer) => this.list.querySelector(`[data-answer="${answer}"]`)?.classList.add("right");
     }
 
     choice() {
@@ -180,7 +184,10 @@ const Questions = (() => {
                               }));
       this.form.append(element(
           "div", {class: "fields"},
-          ...this.inputs.map((input) => element("label", {}, element("i", {}, input.dataset.name), input)),
+          ...this.inputs.map((input) => {
+            const {name} = input.dataset;
+            return element("label", {}, ...(name ? [element("i", {}, name)] : []), input);
+          }),
           element("button", {class: "main"}, word("check"))));
       this.fill = (answer) => {
         const texts = Array.isArray(answer) ? answer : [answer];
@@ -193,7 +200,7 @@ const Questions = (() => {
     }
 
     predict() {
-      const {numbers, fields, decimals} = this.question;
+      const {numbers, fields, decimals, whole} = this.question;
       this.fields(
           fields > 1 ? ["x", "y", "z", "w"].slice(0, fields).map((name) => [name, word("coordinate", {a: name})]) :
                        [["", word("value")]]);
@@ -208,10 +215,10 @@ const Questions = (() => {
         const values = texts.map(number);
         this.inputs.forEach(
             (input, i) => input.toggleAttribute("aria-invalid", this.inputs.length > 1 && values[i] === null));
-        if (values.includes(null)) return this.complain(word(texts.length > 1 ? "unreadfield" : "unread"));
+        if (values.includes(null)) return this.complain(word(this.inputs.length > 1 ? "unreadfield" : "unread"));
         const answer = texts.map(written);
         this.answer(
-            answer.length === 1 ? answer[0] : answer, values.every((value, i) => near(value, numbers[i], decimals)));
+            answer.length === 1 ? answer[0] : answer, values.every((value, i) => whole ? value === numbers[i] : near(value, numbers[i], decimals)));
       };
     }
 
@@ -327,7 +334,7 @@ const Questions = (() => {
     word,
     element,
     copies,
-    isRight: (id) => given.get(id)?.right,
+    isRight: (id) => given.get(id)?.right && !given.get(id).shown,
     isOpen: (id) => !given.has(id),
     show: (question, item, code) => new Asked(question, item, code).root,
     forget() {

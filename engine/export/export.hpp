@@ -34,6 +34,11 @@ struct LessonExported {
   std::vector<std::string> notes;  // what was left out, as sentences
 };
 
+// The options that not every format has a use for.
+namespace export_use {
+inline constexpr unsigned size = 1, scale = 2, time = 4, per_page = 8;
+}
+
 struct LessonFormat {
   std::string_view id;         // "html", as `--to` takes it
   std::string_view title;      // "Web page", as a menu has it
@@ -44,6 +49,7 @@ struct LessonFormat {
   // written is left behind.
   Checked<LessonExported> (*write)(const Story&, const std::filesystem::path& out,
                                    const LessonExportOptions&) = nullptr;
+  unsigned takes = 0;  // of export_use
 };
 
 const std::vector<const LessonFormat*>& lesson_formats();

@@ -7,6 +7,7 @@
 #include "base/utf8.hpp"
 #include "export/export_encoder.hpp"
 #include "export/export_staging.hpp"
+#include "export/handout_text.hpp"
 #include "render/picture.hpp"
 
 namespace blossom {
@@ -15,8 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double motion_seconds = 0.6;
-constexpr double last_seconds = 1.5;   // the end stays longer
-constexpr double waiting_seconds = 2;  // where a lesson waits for the student
+constexpr double last_seconds = 1.5;    // the end stays longer
+constexpr double waiting_seconds = 2;   // where a lesson waits for the student
+constexpr double thinking_seconds = 3;  // about a question that is read
 constexpr std::size_t palette_pictures = 24;
 
 double eased(double t) { return t * t * (3 - 2 * t); }
@@ -35,6 +37,57 @@ std::string hex(Color c) {
   return text;
 }
 
+// A question, or it with its answer, on the panels beside the picture; on a narrow page in its middle.
+View card_of(const Scene& page, const FilmShot& shot, const PageWords& words, const Theme& theme, const Fonts& fonts) {
+  const StoryStep::Question& question = *shot.step->question;
+  const Algorithm& algorithm = shot.scene->source().algorithm_at(shot.step->step);
+  const Paper paper(theme, fonts, words);
+  View card;
+  card.width = page.width;
+  card.height = page.height;
+  const View& panels = page.views[2];
+  const bool beside = panels.x > page.width / 2 && panels.width >= 300;
+  const double width = beside ? panels.width : std::min(0.8 * page.width, 760.0);
+  const double x = beside ? panels.x : (page.width - width) / 2;
+  const double middle = beside ? panels.y + panels.height / 2 : page.height / 2;
+  constexpr double inset = 16;
+  for (double size = 20; size >= 8; size -= 1) {
+    const PaperPart asked = handout_question(paper, question, algorithm, x, width, size);
+    std::vector<PaperText> said{
+        {plain_run(words("answer", question.answer), true), size, Role::text_strong, width - 2 * inset}};
+    if (!question.right.empty())
+      said.push_back({rich_text(question.right, algorithm), size, Role::text, width - 2 * inset});
+    double height = asked.height + size;
+    for (const PaperText& text : said) height += paper.height(text) + size / 2;
+    if (height > 0.9 * page.height && size > 8) continue;
+    // The question stands where it stood before its answer came.
+    double y = std::max(0.0, middle - height / 2);
+    const double top = y;
+    asked.draw(card, y);
+    y += asked.height;
+    if (shot.card == FilmShot::Card::answer) {
+      Paper::fill(card, x, y, width, top + height - y, Role::panel);
+      Paper::fill(card, x, y, 4, top + height - y, Role::right);
+      y += size / 2;
+      for (const PaperText& text : said) y += paper.add(card, text, x + inset, y) + size / 2;
+      y = top + height;
+    }
+    Polyline border;
+    border.points = {{x, top, 0}, {x + width, top, 0}, {x + width, y, 0}, {x, y, 0}};
+    border.closed = true;
+    border.role = Role::axis;
+    card.polylines.push_back(std::move(border));
+    break;
+  }
+  return card;
+}
+
+std::string words_of(const StoryStep::Question& question) {
+  std::string words = plain_text(question.ask);
+  for (const Prose& option : question.options) words += " " + plain_text(option);
+  return words;
+}
+
 // When each picture is shown, in frames, as ffmpeg's expression of its number N: every picture takes one frame and what
 // it stays longer.
 std::string times(const std::vector<FilmShot>& shots) {
@@ -50,11 +103,15 @@ class Film {
       : story_(story),
         options_(options),
         format_(format),
+        words_(story.language),
         fps_(options.frames_per_second > 0 ? options.frames_per_second : format.frames_per_second) {}
 
   Checked<bool> make(const fs::path& file, const Staging& staging) {
     auto shots = film_shots(story_, options_, fps_);
     if (!shots) return shots.diagnostics;
+    auto fonts = Fonts::load();
+    if (!fonts) return fonts.diagnostics;
+    fonts_ = *std::move(fonts);
     shots_ = *std::move(shots);
     // The same rule as everywhere: what is shown at the end ends one frame after its last picture was sent again.
     FilmShot end = shots_.back();
@@ -83,7 +140,7 @@ class Film {
   std::vector<std::size_t> palette_sample() const {
     std::vector<std::size_t> still, sample;
     for (std::size_t i = 0; i < shots_.size(); ++i)
-      if (shots_[i].motion == 1) still.push_back(i);
+      if (shots_[i].motion == 1 && shots_[i].glide == 1) still.push_back(i);
     const std::size_t count = std::min(still.size(), palette_pictures);
     for (std::size_t i = 0; i < count; ++i) sample.push_back(still[(i + 1) * still.size() / count - 1]);
     return sample;
@@ -114,7 +171,8 @@ class Film {
   }
 
   Checked<Image> draw(const FilmShot& shot) const {
-    const Scene page = shot.scene->page(*shot.step, story_.title, options_.width, options_.height, shot.motion);
+    Scene page = shot.scene->page(*shot.step, story_.title, options_.width, options_.height, shot.motion, shot.glide);
+    if (shot.card != FilmShot::Card::none) page.views.push_back(card_of(page, shot, words_, *options_.theme, *fonts_));
     return draw_image(page, *options_.theme, options_.scale);
   }
 
@@ -149,12 +207,16 @@ class Film {
 
   // The very last picture is the one before it.
   bool repeats(std::size_t i) const {
-    return i > 0 && shots_[i].step == shots_[i - 1].step && shots_[i].motion == shots_[i - 1].motion;
+    const FilmShot &now = shots_[i], &before = shots_[i - 1];
+    return now.step == before.step && now.motion == before.motion && now.glide == before.glide &&
+           now.card == before.card;
   }
 
   const Story& story_;
   const LessonExportOptions& options_;
   const FilmFormat& format_;
+  PageWords words_;
+  std::shared_ptr<const Fonts> fonts_;
   double fps_;
   std::vector<FilmShot> shots_;
   std::size_t drawn_ = 0, pictures_ = 0;
@@ -179,14 +241,27 @@ Checked<std::vector<FilmShot>> film_shots(const Story& story, const LessonExport
           options.seconds_per_step > 0 ? options.seconds_per_step : reading_seconds(plain_text(step.prose));
       if (step.beat != nullptr) seconds += step.beat->seconds + (step.beat->waits ? waiting_seconds : 0);
       const double motion = std::min(motion_seconds, 0.4 * seconds);
-      if (moves(scene, step.step)) {
+      const bool moving = moves(scene, step.step), gliding = scene.glides(step.step);
+      if (moving || gliding) {
         const auto count = static_cast<std::size_t>(std::floor(motion * fps));
-        for (std::size_t i = 0; i < count; ++i)
-          shots.push_back({&scene, &step, eased(static_cast<double>(i + 1) / static_cast<double>(count + 1)), 1});
+        for (std::size_t i = 0; i < count; ++i) {
+          const double come = eased(static_cast<double>(i + 1) / static_cast<double>(count + 1));
+          shots.push_back({&scene, &step, moving ? come : 1, gliding ? come : 1, 1});
+        }
         seconds -= static_cast<double>(count) / fps;
       }
-      shots.push_back({&scene, &step, 1, frames(seconds)});
+      shots.push_back({&scene, &step, 1, 1, frames(seconds)});
       total += seconds + motion;
+      if (options.checkpoints && step.question) {
+        const auto stays = [&](const std::string& words, double longer) {
+          return options.seconds_per_step > 0 ? options.seconds_per_step : reading_seconds(words) + longer;
+        };
+        const double asked = stays(words_of(*step.question), thinking_seconds),
+                     told = stays(step.question->answer + plain_text(step.question->right), 0);
+        shots.push_back({&scene, &step, 1, 1, frames(asked), FilmShot::Card::question});
+        shots.push_back({&scene, &step, 1, 1, frames(told), FilmShot::Card::answer});
+        total += asked + told;
+      }
       if (total > longest_film * 3600)
         return Diagnostics{
             {"", 0, 0, "--steps",
@@ -209,11 +284,13 @@ Checked<LessonExported> write_film(const Story& story, const fs::path& out, cons
   auto files = staging->publish();
   if (!files) return files.diagnostics;
   LessonExported exported{*std::move(files), {}};
-  const auto asks = [](const StoryScene& scene) {
-    return std::ranges::any_of(scene.steps, [](const StoryStep& step) { return step.question.has_value(); });
-  };
-  if (options.checkpoints && std::ranges::any_of(story.scenes, asks))
-    exported.notes.push_back("A film cannot ask: the questions of the lesson are left out.");
+  if (!format.palette) {
+    const auto pixels = [&](double units) { return std::lround(units * options.scale); };
+    const long width = pixels(options.width), height = pixels(options.height);
+    if (width % 2 != 0 || height % 2 != 0)
+      exported.notes.push_back("the film is " + std::to_string(width + width % 2) + "x" +
+                               std::to_string(height + height % 2) + " pixels large, for its sides must be even");
+  }
   return exported;
 }
 

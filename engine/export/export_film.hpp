@@ -1,7 +1,8 @@
 #pragma once
 // Films of lessons. The pictures are drawn here and encoded by the program ffmpeg, beside the drawing. What a step
-// makes moves to its place; then the picture stays until its words are read. A picture that stays is drawn and encoded
-// once.
+// makes moves to its place, and the camera to where it sees it from; then the picture stays until its words are read. A
+// question stands on a card before the picture until one has thought about it, and then with its answer. A picture that
+// stays is drawn and encoded once.
 
 #include <string>
 #include <string_view>
@@ -22,8 +23,9 @@ struct FilmFormat {
 struct FilmShot {
   const StoryScene* scene = nullptr;
   const StoryStep* step = nullptr;
-  double motion = 1;
+  double motion = 1, glide = 1;  // how far the step and the camera have come
   std::size_t frames = 1;
+  enum class Card : std::uint8_t { none, question, answer } card = Card::none;
 };
 // Of at most this many hours.
 inline constexpr double longest_film = 4;

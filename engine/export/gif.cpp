@@ -16,8 +16,13 @@ Checked<LessonExported> write(const Story& story, const std::filesystem::path& o
 }  // namespace
 
 const LessonFormat& lesson_gif() {
-  static const LessonFormat format{
-      "gif", "Moving picture (GIF)", ".gif", false, "a film that stands in a page like a picture; needs ffmpeg", write};
+  static const LessonFormat format{"gif",
+                                   "Moving picture (GIF)",
+                                   ".gif",
+                                   false,
+                                   "a film that stands in a page like a picture; needs ffmpeg",
+                                   write,
+                                   export_use::size | export_use::scale | export_use::time};
   return format;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/utf8.hpp"
+
 namespace blossom {
 namespace {
 
@@ -44,9 +46,9 @@ PaperPart part_of(Column column, bool with_next = false) {
   return {height, [column = std::move(column)](View& page, double y) { column.draw(page, y); }, with_next};
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string joined(const std::vector<StoryLink>& links) {
   std::string all;
-  for (const auto& word : words) all += (all.empty() ? "" : ", ") + printable(word);
+  for (const StoryLink& link : links) all += (all.empty() ? "" : "; ") + link.words();
   return all;
 }
 
@@ -156,17 +158,19 @@ void Paper::line(View& page, double x, double y, double to_x, Role role, double 
 
 PaperPart handout_head(const Paper& paper, const Story& story, bool asks) {
   const Algorithm& algorithm = story.scenes.front().recording->algorithm();
+  const PageWords& words = paper.words();
+  const auto word = [&](std::string_view key) { return std::string(words(key)); };
   Column head(paper, paper_left, paper_room);
   if (asks) {
     head.draw_here(
-        [paper](View& page, double y) {
+        [paper, label = word("name")](View& page, double y) {
           const double name = paper_left + paper_room - 420;
-          paper.add(page, {plain_run("Name"), 16, Role::text_quiet}, name, y);
+          paper.add(page, {plain_run(label), 16, Role::text_quiet}, name, y);
           Paper::line(page, name + 54, y + 14, paper_left + paper_room, Role::axis, 0.7);
         },
         0);
   }
-  const std::string unit = story.unit.empty() ? std::string("Lesson") : story.unit;
+  const std::string unit = story.unit.empty() ? word("lesson") : story.unit;
   head.text(plain_run(paper.shortened(unit, 17, paper_room - 460)), 17, Role::text_quiet);
   head.gap(16);
   // On one line if it need not be much smaller for that.
@@ -180,10 +184,10 @@ PaperPart handout_head(const Paper& paper, const Story& story, bool asks) {
   head.gap(26);
 
   // What is needed for it, as a table of two columns.
-  constexpr double label_width = 190, size = 17;
+  constexpr double label_width = 215, size = 17;
   bool any = false;
-  const auto row = [&](const std::string& name, const RichText& words) {
-    if (words.empty()) return;
+  const auto row = [&](const std::string& name, const RichText& text) {
+    if (text.empty()) return;
     if (!any)
       head.draw_here(
           [](View& page, double y) { Paper::line(page, paper_left, y, paper_left + paper_room, Role::rule_line, 1.4); },
@@ -194,21 +198,21 @@ PaperPart handout_head(const Paper& paper, const Story& story, bool asks) {
           paper.add(page, {plain_run(name, true), size, Role::text_quiet}, paper_left, y);
         },
         0);
-    head.text(words, size, Role::text, label_width);
+    head.text(text, size, Role::text, label_width);
     head.gap(12);
   };
-  std::size_t steps = story.step_count();
-  std::string time = story.minutes > 0 ? "about " + std::to_string(story.minutes) + " minutes, " : "";
-  row("Time", plain_run(time + std::to_string(steps) + (steps == 1 ? " step" : " steps")));
+  const std::size_t steps = story.step_count();
+  const std::string time = story.minutes > 0 ? words("duration", std::to_string(story.minutes)) + ", " : "";
+  row(word("time"), plain_run(time + (steps == 1 ? word("onestep") : words("allsteps", std::to_string(steps)))));
   RichText objectives;
   for (const std::string& objective : story.objectives) {
     if (!objectives.empty()) objectives.push_back({"\n"});
     if (story.objectives.size() > 1) objectives.push_back({"•  "});
     for (const TextRun& run : rich_text(read_prose(objective), algorithm)) objectives.push_back(run);
   }
-  row("You will", objectives);
-  if (!story.prerequisites.empty()) row("Before this", plain_run(joined(story.prerequisites)));
-  if (!story.source.empty()) row("Read on in", plain_run(story.source));
+  row(word("objectives"), objectives);
+  if (!story.prerequisites.empty()) row(word("before"), plain_run(joined(story.prerequisites)));
+  if (!story.source.empty()) row(word("source"), plain_run(story.source));
   head.gap(2);
   head.draw_here(
       [](View& page, double y) { Paper::line(page, paper_left, y, paper_left + paper_room, Role::rule_line, 1.4); }, 0);
@@ -219,7 +223,7 @@ PaperPart handout_code(const Paper& paper, const Algorithm& algorithm) {
   constexpr double inset = 20, number_width = 44, size = 15;
   Column code(paper, paper_left + inset, paper_room - 2 * inset);
   code.gap(16);
-  code.text(plain_run("The algorithm, line by line", true), 17, Role::text_strong);
+  code.text(plain_run(std::string(paper.words()("lines")), true), 17, Role::text_strong);
   code.gap(10);
   int number = 0;
   for (const std::string_view line : algorithm.pseudo_code) {
@@ -249,7 +253,7 @@ PaperPart handout_question(const Paper& paper, const StoryStep::Question& questi
   const double left = x + inset, room = width - 2 * inset;
   Column box(paper, left, room);
   box.gap(12);
-  box.text(plain_run("Question", true), size, Role::text_current);
+  box.text(plain_run(std::string(paper.words()("question")), true), size, Role::text_current);
   box.gap(8);
   box.text(rich_text(question.ask, algorithm), size);
   box.gap(10);
@@ -266,15 +270,12 @@ PaperPart handout_question(const Paper& paper, const StoryStep::Question& questi
     box.gap(7);
   }
   if (!choice) {
-    const std::string label = kind == Kind::order  ? "In the right order:"
-                              : kind == Kind::line ? "Line:"
-                              : kind == Kind::span ? "Index of the span:"
-                                                   : "Answer:";
+    const std::string label = std::string(paper.words()(asked_word(kind))) + ":";
     box.gap(16);
     box.draw_here(
         [paper, label, left, room, size](View& page, double y) {
           paper.add(page, {plain_run(label), size, Role::text_quiet}, left, y);
-          const double from = left + size * (0.62 * static_cast<double>(label.size()) + 0.5);
+          const double from = left + size * (0.62 * static_cast<double>(utf8_count(label)) + 0.5);
           Paper::line(page, std::min(from, left + room / 2), y + 0.9 * size, left + room, Role::axis, 0.7);
         },
         size + 6);
@@ -288,16 +289,48 @@ PaperPart handout_question(const Paper& paper, const StoryStep::Question& questi
           }};
 }
 
+PaperPart handout_work(const Paper& paper, double y) {
+  constexpr double size = 14, line = 46;
+  return {paper_bottom - y, [paper](View& page, double top) {
+            paper.add(page, {plain_run(std::string(paper.words()("work"))), size, Role::text_quiet}, paper_left, top);
+            for (double at = top + size + line; at <= paper_bottom; at += line)
+              Paper::line(page, paper_left, at, paper_left + paper_room, Role::rule_line, 0.7);
+          }};
+}
+
+PaperPart handout_answer(const Paper& paper, const StoryScene& scene, const StoryStep& asked) {
+  constexpr double label_width = 150, size = 17;
+  const StoryStep::Question& question = *asked.question;
+  const Algorithm& algorithm = scene.source().algorithm_at(asked.step);
+  Column answer(paper, paper_left, paper_room);
+  const std::string name = paper.words()("stepname", std::to_string(asked.step));
+  answer.draw_here(
+      [paper, name](View& page, double y) {
+        paper.add(page, {plain_run(name, true), size, Role::text_quiet}, paper_left, y);
+      },
+      0);
+  if (!scene.heading.empty()) answer.text(plain_run(scene.heading), size, Role::text_quiet, label_width);
+  answer.text(plain_run(question.answer, true), size, Role::text, label_width);
+  const auto add = [&](const Prose& prose) {
+    if (prose.empty()) return;
+    answer.gap(6);
+    answer.text(rich_text(prose, algorithm), size, Role::text, label_width);
+  };
+  if (const auto at = right_option(question)) add(question.options[*at]);
+  add(question.right);
+  return part_of(std::move(answer));
+}
+
 PaperPart handout_exercises(const Paper& paper, const Story& story) {
   Column list(paper, paper_left, paper_room);
   if (story.exercises.empty()) return part_of(std::move(list));
   list.draw_here(
       [](View& page, double y) { Paper::line(page, paper_left, y, paper_left + paper_room, Role::rule_line, 1.4); },
       20);
-  list.text(plain_run("Exercises", true), 22, Role::text_strong);
+  list.text(plain_run(std::string(paper.words()("practise")), true), 22, Role::text_strong);
   list.gap(12);
-  for (const std::string& exercise : story.exercises) {
-    list.text({{"☐  " + printable(exercise)}}, 18);
+  for (const StoryLink& exercise : story.exercises) {
+    list.text({{"☐  " + exercise.words()}}, 18);
     list.gap(8);
   }
   return part_of(std::move(list));

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "export/page_words.hpp"
 #include "export/story.hpp"
 #include "render/rich_text.hpp"
 #include "render/theme.hpp"
@@ -30,7 +31,11 @@ struct PaperPart {
 
 class Paper {
  public:
-  Paper(const Theme& theme, const Fonts& fonts) : theme_(&theme), fonts_(&fonts) {}
+  Paper(const Theme& theme, const Fonts& fonts, const PageWords& words)
+      : theme_(&theme), fonts_(&fonts), words_(&words) {}
+
+  const Theme& theme() const { return *theme_; }
+  const PageWords& words() const { return *words_; }
 
   double height(const PaperText&) const;
   double size_of(const Label&) const;  // as it was meant for another page
@@ -48,6 +53,7 @@ class Paper {
   Label label(const PaperText&, double x, double y) const;
   const Theme* theme_;
   const Fonts* fonts_;
+  const PageWords* words_;
 };
 
 RichText plain_run(std::string text, bool bold = false, bool monospace = false);
@@ -56,9 +62,13 @@ RichText plain_run(std::string text, bool bold = false, bool monospace = false);
 PaperPart handout_head(const Paper&, const Story&, bool asks);
 // The pseudo-code of a scene, with the numbers that the steps name.
 PaperPart handout_code(const Paper&, const Algorithm&);
+// Lines to write on, from y to the foot of the page.
+PaperPart handout_work(const Paper&, double y);
 // A question with room for its answer.
 PaperPart handout_question(const Paper&, const StoryStep::Question&, const Algorithm&, double x, double width,
                            double size);
+// What is right, and why.
+PaperPart handout_answer(const Paper&, const StoryScene&, const StoryStep& asked);
 PaperPart handout_exercises(const Paper&, const Story&);
 
 }  // namespace blossom

@@ -4,13 +4,10 @@
 // shows one step at a time and draws its picture. The page runs nothing but that script and loads nothing: its policy
 // names the script and the style sheet by their digests.
 
-#include <openssl/evp.h>
-
-#include <array>
-
 #include "base/json.hpp"
 #include "export/export.hpp"
 #include "export/html_assets.hpp"
+#include "export/html_document.hpp"
 #include "export/html_scene.hpp"
 #include "export/html_text.hpp"
 
@@ -18,16 +15,6 @@ namespace blossom {
 namespace {
 
 namespace fs = std::filesystem;
-
-// "'sha256-...'", as a Content Security Policy names an inline script or style sheet.
-std::string digest_source(std::string_view text) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned size = 0;
-  if (EVP_Digest(text.data(), text.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) return "'none'";
-  std::array<unsigned char, 4 * (EVP_MAX_MD_SIZE / 3 + 1) + 1> base64{};
-  EVP_EncodeBlock(base64.data(), digest.data(), static_cast<int>(size));
-  return "'sha256-" + std::string(reinterpret_cast<const char*>(base64.data())) + "'";
-}
 
 std::string icon(std::string_view path) {
   return "<svg viewBox=\"0 0 24 24\" aria-hidden=\"true\"><path d=\"" + std::string(path) + "\"/></svg>";
@@ -40,11 +27,12 @@ class PageWriter {
 
   std::string write(const std::vector<HtmlScene>& scenes) const {
     const std::string css = page_.looks.themes(story_.colors) + std::string(assets::page_css) + page_.looks.rules();
-    const std::string script =
-        std::string(assets::ask_js) + std::string(assets::show_js) + std::string(assets::page_js);
+    const std::string script = std::string(assets::ask_js) + std::string(assets::show_js) +
+                               std::string(assets::slide_js) + std::string(assets::page_js);
     std::string out = head(css, script);
     out += title() + "<main>\n" + about() + player();
     for (const HtmlScene& scene : scenes) out += scene.html;
+    for (const HtmlScene& stop : page_.stops) out += stop.html;
     out += "</main>\n" + help();
     out += "<script type=\"application/json\" id=\"lesson\">" + script_json(data(scenes)) + "</script>\n";
     return out + "<script>" + script + "</script>\n</body>\n</html>\n";
@@ -60,18 +48,8 @@ class PageWriter {
   std::string head(const std::string& css, const std::string& script) const {
     std::string out = "<!DOCTYPE html>\n<html lang=\"" + html_escape(story_.language) + "\"";
     if (options_.theme->name != light_theme().name) out += " data-theme=\"" + html_escape(options_.theme->name) + "\"";
-    out +=
-        ">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri 'none'; "
-        "form-action 'none'; script-src " +
-        digest_source(script) + "; style-src " + digest_source(css) +
-        "\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"referrer\" content=\"no-referrer\">\n"
-        "<title>" +
-        html_escape(story_.title) + "</title>\n";
-    if (!story_.summary.empty()) out += "<meta name=\"description\" content=\"" + html_escape(story_.summary) + "\">\n";
-    return out + "<style>" + css + "</style>\n</head>\n<body>\n";
+    out += ">\n" + html_head(story_.title, story_.summary, css, script);
+    return out + "<body>\n";
   }
 
   std::string title() const {
@@ -91,18 +69,23 @@ class PageWriter {
     std::string inside;
     if (!story_.summary.empty()) inside += "<p>" + html_escape(story_.summary) + "</p>\n";
     const Algorithm& algorithm = story_.scenes.front().recording->algorithm();
-    const auto list = [&](std::string_view heading, const std::vector<std::string>& items, bool prose) {
+    const auto list = [&](std::string_view heading, const auto& items, const auto& written) {
       if (items.empty()) return;
       inside += "<h2>" + word(heading) + "</h2>\n<ul>\n";
-      for (const std::string& item : items)
-        inside += "<li>" + (prose ? html_prose(read_prose(item), algorithm) : html_escape(item)) + "</li>\n";
+      for (const auto& item : items) inside += "<li>" + written(item) + "</li>\n";
       inside += "</ul>\n";
     };
-    list("objectives", story_.objectives, true);
-    list("before", story_.prerequisites, false);
-    list("practise", story_.exercises, false);
+    list("objectives", story_.objectives,
+         [&](const std::string& item) { return html_prose(read_prose(item), algorithm); });
+    const auto linked = [](const StoryLink& link) {
+      const std::string words = html_escape(link.words());
+      return link.page.empty() ? words : "<a href=\"" + html_address(link.page + ".html") + "\">" + words + "</a>";
+    };
+    list("before", story_.prerequisites, linked);
+    list("practise", story_.exercises, linked);
     if (!story_.source.empty())
       inside += "<h2>" + word("source") + "</h2>\n<p>" + html_escape(story_.source) + "</p>\n";
+    if (story_.beside) inside += "<p><a href=\"index.html\">" + word("lessons") + "</a></p>\n";
     if (inside.empty()) return {};
     std::string summary = word("about");
     if (story_.minutes > 0) summary += " · " + filled(word("minutes"), "n", std::to_string(story_.minutes));
@@ -128,7 +111,8 @@ class PageWriter {
     out += "<figure class=\"picture\"><svg role=\"img\" id=\"picture\"></svg></figure>\n";
     out +=
         "<div class=\"side\">\n<div class=\"told\" aria-live=\"polite\"><p class=\"phase\"></p><div class=\"say\">"
-        "</div></div>\n<div class=\"question\"></div>\n";
+        "</div></div>\n<div class=\"sliders\" role=\"group\" aria-label=\"" +
+        word("sliders") + "\" hidden></div>\n<div class=\"question\"></div>\n";
     const auto card = [&](std::string_view name) {
       out += "<section class=\"card " + std::string(name) + "\" hidden><h2" + own_language() + ">" + word(name) +
              "</h2><div></div></section>\n";
@@ -180,6 +164,7 @@ class PageWriter {
     row(word("ends"), "keyends");
     row(word("pages"), "keybeats");
     row(word("space"), "keyspace");
+    if (!page_.stops.empty()) row("←, →", "keyslider");
     row("?", "keyhelp");
     row(word("swipe"), "keyarrows");
     return out + "</dl>\n<form method=\"dialog\"><button class=\"main\">" + word("close") +
@@ -189,6 +174,8 @@ class PageWriter {
   std::string data(const std::vector<HtmlScene>& scenes) const {
     std::string out = "{\"id\":" + json_quote(story_.id) + ",\"words\":" + words_.json() + ",\n\"scenes\":[";
     for (std::size_t i = 0; i < scenes.size(); ++i) out += (i == 0 ? "" : ",\n") + scenes[i].json;
+    out += "],\n\"stops\":[";
+    for (std::size_t i = 0; i < page_.stops.size(); ++i) out += (i == 0 ? "" : ",\n") + page_.stops[i].json;
     out += "],\n\"elements\":[\n";
     for (std::size_t i = 0; i < page_.elements.size(); ++i) out += (i == 0 ? "" : ",\n") + page_.elements[i];
     return out + "]}";
@@ -196,27 +183,18 @@ class PageWriter {
 
   const Story& story_;
   const HtmlPage& page_;
-  const HtmlWords& words_;
+  const PageWords& words_;
   const LessonExportOptions& options_;
 };
-
-// What the page cannot do, as sentences.
-std::vector<std::string> notes_of(const Story& story) {
-  std::size_t sliders = 0;
-  for (const StoryScene& scene : story.scenes)
-    for (const StoryStep& step : scene.steps) sliders += step.beat != nullptr ? step.beat->sliders.size() : 0;
-  if (sliders == 0) return {};
-  return {"the page runs no algorithm, so it shows the lesson's own numbers instead of " +
-          (sliders == 1 ? std::string("its slider") : "its " + std::to_string(sliders) + " sliders")};
-}
 
 Checked<LessonExported> write(const Story& story, const fs::path& out, const LessonExportOptions& options) {
   const auto fonts = Fonts::load();
   if (!fonts) return fonts.diagnostics;
-  HtmlPage page{{}, HtmlWords(story.language), **fonts, options.checkpoints, {}, {}};
+  SliderStops sliders(story);
+  HtmlPage page{{}, PageWords(story.language), **fonts, sliders, options.checkpoints};
   std::vector<HtmlScene> scenes;
   std::size_t done = 0;
-  const std::size_t count = story.step_count();
+  const std::size_t count = story.step_count() + 2 * sliders.count();
   for (const StoryScene& scene : story.scenes) {
     auto made = html_scene(page, scene, scenes.size(), [&] { return report_progress(options, ++done, count); });
     if (!made) return stopped();
@@ -224,7 +202,7 @@ Checked<LessonExported> write(const Story& story, const fs::path& out, const Les
   }
   if (const auto written = write_file(out, PageWriter(story, page, options).write(scenes)); !written)
     return written.diagnostics;
-  return LessonExported{{out}, notes_of(story)};
+  return LessonExported{{out}, sliders.notes()};
 }
 
 }  // namespace

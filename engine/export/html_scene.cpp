@@ -52,15 +52,23 @@ class Once {
   std::string html_;
 };
 
+// Where the pictures of a step and of its stops are seen from; nothing: where the beats say.
+struct Cameras {
+  std::optional<Camera> desk, small;
+};
+
 class SceneWriter {
  public:
-  SceneWriter(HtmlPage& page, const StoryScene& scene, std::size_t number)
-      : page_(page), scene_(scene), source_(scene.source()), graph_(*source_.graph), number_(number) {
+  using Codes = Once<const Algorithm*>;
+
+  SceneWriter(HtmlPage& page, const StoryScene& scene, Codes& codes)
+      : page_(page), scene_(scene), source_(scene.source()), graph_(*source_.graph), codes_(codes) {
     knots_ = source_.curves.size() == 1 && knot_axis(source_, 0, 0, wide.width).has_value();
     result_ = knots_ && resulting_knots(source_, scene.recording->last()) != absent;
   }
 
-  void add(const StoryStep& told) {
+  // `sliders`: what stands under the words, and the JSON of its stops.
+  void add(const StoryStep& told, const Cameras& cameras = {}, const HtmlScene& sliders = {}) {
     const Algorithm& algorithm = source_.algorithm_at(told.step);
     const std::size_t code = codes_(&algorithm, [&](std::size_t i) { return code_html(algorithm, i); });
     std::string step = "{\"n\":" + std::to_string(told.step);
@@ -69,39 +77,80 @@ class SceneWriter {
       step += ",\"p\":-1";
     else if (told.beat != nullptr && told.beat->seconds > 0)
       step += ",\"p\":" + format_short(told.beat->seconds, 2);
-    step += ",\"w\":" + picture(told.step, desk()) + ",\"s\":" + picture(told.step, small);
+    step += ",\"w\":" + picture(told.step, desk(), cameras.desk) + ",\"s\":" + picture(told.step, small, cameras.small);
     if (knots_) step += ",\"k\":" + knots(told.step, wide.width) + ",\"l\":" + knots(told.step, small.width);
     step += ",\"c\":" + std::to_string(code) + ",\"f\":" + std::to_string(told.line);
     add_values(step, told.step);
     const bool asks = page_.checkpoints && told.question;
     if (asks) step += ",\"q\":" + question_json(*told.question);
+    if (!sliders.json.empty()) step += ",\"a\":" + sliders.json;
     steps_json_ += (steps_json_.empty() ? "" : ",\n") + step + "}";
-    steps_html_ += step_html(told, algorithm, asks);
+    steps_html_ += step_html(told, algorithm, asks, sliders.html);
   }
 
-  HtmlScene finish() const {
-    const std::string id = "scene" + std::to_string(number_);
+  // With what its sliders can show. False: stop.
+  bool add_with_stops(const StoryStep& told, const std::function<bool()>& done) {
+    const StepSliders* sliders = page_.sliders.of(told);
+    if (sliders == nullptr) return add(told), done();
+    std::vector<std::optional<StoryScene>> stops;
+    for (std::size_t i = 0; i < sliders->count(); ++i) {
+      const bool own = i == sliders->own();
+      stops.push_back(own ? std::nullopt : page_.sliders.run(scene_, told, i));
+      if (!own && !done()) return false;
+    }
+    const auto camera = [&](Size size) { return common_camera(scene_, told.step, stops, size.width, size.height); };
+    const Cameras cameras{camera(desk()), camera(small)};
+    std::string places;
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+      const bool own = i == sliders->own();
+      places += (places.empty() ? "" : ",") + (own ? "null" : stops[i] ? std::to_string(page_.stops.size()) : "-1");
+      if (stops[i]) {
+        SceneWriter writer(page_, *stops[i], codes_);
+        writer.add(stops[i]->steps.front(), cameras);
+        page_.stops.push_back(writer.stop());
+        stops[i].reset();
+      }
+      if (!own && !done()) return false;
+    }
+    add(told, cameras, {sliders_html(told, *sliders), sliders_json(*sliders, places)});
+    return done();
+  }
+
+  HtmlScene scene(std::size_t number) const {
+    const std::string id = "scene" + std::to_string(number);
     HtmlScene made;
     made.html = "<section class=\"scene\" id=\"" + id + "\">\n";
     if (!scene_.heading.empty()) made.html += "<h2>" + html_escape(scene_.heading) + "</h2>\n";
     made.html += "<details class=\"all\" open>\n<summary>" + std::string(page_.words("steps")) +
                  "</summary>\n<ol class=\"steps\"";
     if (!scene_.steps.empty()) made.html += " start=\"" + std::to_string(scene_.steps.front().step) + "\"";
-    made.html += ">\n" + steps_html_ + "</ol>\n</details>\n<div class=\"parts\">\n" + codes_.html() + schemes_.html() +
-                 "<template class=\"values\"><table class=\"values\"><tbody>\n" + rows_.html() +
-                 "</tbody></table></template>\n</div>\n</section>\n";
-    const auto size = [](double width, double height) {
-      return "[" + format_short(width, 0) + "," + format_short(height, 0) + "]";
-    };
-    made.json = "{\"id\":" + json_quote(scene_.id) + ",\"title\":" + json_quote(scene_.heading) +
-                ",\"size\":{\"w\":" + size(wide.width, desk().height) + ",\"s\":" + size(small.width, small.height);
-    if (knots_)
-      made.json += ",\"k\":" + size(wide.width, knots_height()) + ",\"l\":" + size(small.width, knots_height());
-    made.json += "},\"steps\":[\n" + steps_json_ + "\n]}";
+    made.html += ">\n" + steps_html_ + "</ol>\n</details>\n" + parts(codes_.html()) + "</section>\n";
+    made.json = "{\"id\":" + json_quote(scene_.id) + ",\"title\":" + json_quote(scene_.heading) + ",";
+    made.json += sizes_and_steps() + "}";
     return made;
   }
 
+  HtmlScene stop() const {
+    return {"<template class=\"stop\">\n" + steps_html_ + parts("") + "</template>\n", "{" + sizes_and_steps() + "}"};
+  }
+
  private:
+  // What the steps share.
+  std::string parts(const std::string& codes) const {
+    return "<div class=\"parts\">\n" + codes + schemes_.html() +
+           "<template class=\"values\"><table class=\"values\"><tbody>\n" + rows_.html() +
+           "</tbody></table></template>\n</div>\n";
+  }
+  std::string sizes_and_steps() const {
+    const auto size = [](double width, double height) {
+      return "[" + format_short(width, 0) + "," + format_short(height, 0) + "]";
+    };
+    std::string json =
+        "\"size\":{\"w\":" + size(wide.width, desk().height) + ",\"s\":" + size(small.width, small.height);
+    if (knots_) json += ",\"k\":" + size(wide.width, knots_height()) + ",\"l\":" + size(small.width, knots_height());
+    return json + "},\"steps\":[\n" + steps_json_ + "\n]";
+  }
+
   // ---- pictures -----------------------------------------------------------------------------------------------------
 
   std::string painted(View view) {
@@ -111,7 +160,10 @@ class SceneWriter {
     paint_view(view, HtmlLooks::probe(), page_.fonts, canvas, 1, {0, 0}, {0, 0, view.width, view.height});
     return page_.numbers_of(std::move(canvas).take());
   }
-  std::string picture(std::uint32_t step, Size size) { return painted(scene_.picture(step, size.width, size.height)); }
+  std::string picture(std::uint32_t step, Size size, const std::optional<Camera>& camera) {
+    return painted(camera ? scene_.picture(step, size.width, size.height, *camera)
+                          : scene_.picture(step, size.width, size.height));
+  }
 
   Size desk() const { return knots_ ? wide_above_knots : wide; }
   double knots_height() const { return basis_height + (result_ ? knot_lines_height : knot_line_height) + 4; }
@@ -151,9 +203,10 @@ class SceneWriter {
       values += (values.empty() ? "" : ",") + std::to_string(row);
     }
     step += ",\"g\":[" + values + "]";
-    if (made && !table.spots.empty())
-      for (std::size_t i = 0; i < table.spots.size(); ++i)
-        if (graph_.value(table.spots[i].link.id).step == k) return void(step += ",\"h\":" + std::to_string(i));
+    std::string now;
+    for (std::size_t i = 0; made && i < table.spots.size(); ++i)
+      if (graph_.value(table.spots[i].link.id).step == k) now += (now.empty() ? "" : ",") + std::to_string(i);
+    if (!now.empty()) step += ",\"h\":[" + now + "]";
   }
 
   void add_operands(std::string& step, const Scheme& scheme, ValueId v) const {
@@ -221,7 +274,8 @@ class SceneWriter {
     return html + "</ol>\n";
   }
 
-  std::string step_html(const StoryStep& told, const Algorithm& algorithm, bool asks) const {
+  std::string step_html(const StoryStep& told, const Algorithm& algorithm, bool asks,
+                        const std::string& sliders) const {
     std::string html =
         "<li data-step=\"" + std::to_string(told.step) + "\" value=\"" + std::to_string(told.step) + "\"";
     if (told.line > 0) html += " data-line=\"" + std::to_string(told.line) + "\"";
@@ -229,7 +283,7 @@ class SceneWriter {
     if (!told.phase.empty()) html += "<p class=\"phase\">" + html_typeset(told.phase, algorithm) + "</p>\n";
     html += "<div class=\"say\">" + html_prose(told.prose, algorithm) + "</div>\n" + formula_html(told.step, algorithm);
     if (asks) html += question_html(*told.question, algorithm);
-    return html + "</li>\n";
+    return html + sliders + "</li>\n";
   }
 
   std::string formula_html(std::uint32_t step, const Algorithm& algorithm) const {
@@ -251,6 +305,43 @@ class SceneWriter {
     if (const std::string polar = source_.polar(v); !polar.empty())
       line("polar", std::string(page_.words("blossom")) + " " + polar);
     return html + "</div>\n";
+  }
+
+  // ---- sliders ------------------------------------------------------------------------------------------------------
+
+  std::string number_text(const Exact& x) const {
+    return source_.exact ? format_brief(x) : format_short(x.to_double(), 4);
+  }
+
+  std::string sliders_json(const StepSliders& sliders, const std::string& stops) const {
+    std::string values, start;
+    for (const StepSliders::Scale& scale : sliders.scales) {
+      std::string texts;
+      for (const Exact& x : scale.values) texts += (texts.empty() ? "" : ",") + json_quote(number_text(x));
+      values += (values.empty() ? "[" : ",[") + texts + "]";
+      start += (start.empty() ? "" : ",") + std::to_string(scale.own);
+    }
+    return "{\"values\":[" + values + "],\"start\":[" + start + "],\"stops\":[" + stops + "]}";
+  }
+
+  std::string sliders_html(const StoryStep& told, const StepSliders& sliders) const {
+    const Algorithm& algorithm = source_.algorithm_at(told.step);
+    std::string html = "<template class=\"sliders\">\n";
+    for (std::size_t i = 0; i < sliders.scales.size(); ++i) {
+      const Slider& slider = told.beat->sliders[i];
+      const StepSliders::Scale& scale = sliders.scales[i];
+      const std::string label = slider.label.empty() ? slider.input : printable(slider.label.in(scene_.language));
+      const std::string now = html_escape(number_text(scale.values[scale.own]));
+      const auto end = [&](const Exact& x) {
+        return "<span aria-hidden=\"true\">" + html_escape(number_text(x)) + "</span>";
+      };
+      html += "<div class=\"slider\"><p>" + html_typeset(label, algorithm) + " = <b>" + now + "</b></p>\n<div>" +
+              end(scale.values.front()) + "<input type=\"range\" min=\"0\" max=\"" +
+              std::to_string(scale.values.size() - 1) + "\" step=\"1\" value=\"" + std::to_string(scale.own) +
+              "\" aria-label=\"" + html_escape(label) + "\" aria-valuetext=\"" + now + "\">" +
+              end(scale.values.back()) + "</div></div>\n";
+    }
+    return html + "</template>\n";
   }
 
   // ---- questions ----------------------------------------------------------------------------------------------------
@@ -285,6 +376,8 @@ class SceneWriter {
       if (asked.numbers.size() <= most_fields) json += ",\"fields\":" + std::to_string(asked.numbers.size());
     }
     if (checkpoint.kind == Checkpoint::Kind::predict) json += ",\"decimals\":" + std::to_string(checkpoint.decimals);
+    if (const auto value = graph_.find(checkpoint.value); value && graph_.value(*value).kind == ValueKind::integer)
+      json += ",\"whole\":1";
     if (checkpoint.kind == Checkpoint::Kind::span) json += spans_json(checkpoint);
     return json + "}";
   }
@@ -313,9 +406,8 @@ class SceneWriter {
   const StoryScene& scene_;
   const StepSource& source_;
   const TraceGraph& graph_;
-  std::size_t number_;
+  Codes& codes_;
   bool knots_ = false, result_ = false;
-  Once<const Algorithm*> codes_;
   Once<const Scheme*> schemes_;
   Once<ValueId> rows_;
   std::string steps_html_, steps_json_;
@@ -335,12 +427,11 @@ std::string HtmlPage::numbers_of(std::vector<std::string> of_picture) {
 
 std::optional<HtmlScene> html_scene(HtmlPage& page, const StoryScene& scene, std::size_t number,
                                     const std::function<bool()>& told) {
-  SceneWriter writer(page, scene, number);
-  for (const StoryStep& step : scene.steps) {
-    writer.add(step);
-    if (!told()) return std::nullopt;
-  }
-  return writer.finish();
+  SceneWriter::Codes codes;
+  SceneWriter writer(page, scene, codes);
+  for (const StoryStep& step : scene.steps)
+    if (!writer.add_with_stops(step, told)) return std::nullopt;
+  return writer.scene(number);
 }
 
 }  // namespace blossom

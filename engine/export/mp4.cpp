@@ -20,8 +20,13 @@ Checked<LessonExported> write(const Story& story, const std::filesystem::path& o
 }  // namespace
 
 const LessonFormat& lesson_mp4() {
-  static const LessonFormat format{
-      "mp4", "Film (MP4)", ".mp4", false, "a film, H.264, for slides and phones; needs ffmpeg", write};
+  static const LessonFormat format{"mp4",
+                                   "Film (MP4)",
+                                   ".mp4",
+                                   false,
+                                   "a film, H.264, for slides and phones; needs ffmpeg",
+                                   write,
+                                   export_use::size | export_use::scale | export_use::time};
   return format;
 }
 

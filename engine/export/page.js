@@ -17,12 +17,28 @@
   const marks = bar.querySelector(".marks"), speed = bar.querySelector("select");
   const card = (name) => find(`.card.${name}`);
   const roomy = matchMedia("(min-width: 38rem) and (min-height: 30.01rem)");
+  const told = find(".told"), question = find(".question");
   let scene = 0, at = 0, playing = null, left = null;
 
   const steps = () => lesson.scenes[scene].steps;
   const step = () => steps()[at];
+  const stops = [...document.querySelectorAll("template.stop")].map((each) => each.content);
   const items = sections.map((section) => [...section.querySelectorAll("ol.steps > li")]);
   const item = () => items[scene][at];
+  const sliders = new Sliders(find(".sliders"), () => {
+    setPlaying(false);
+    // Only the slider says its number aloud, and it stays in its place while the words above it become fewer.
+    told.setAttribute("aria-live", "off");
+    told.style.minHeight = `${told.offsetHeight}px`;
+    show();
+  });
+  // What is shown: the step, or what it is at a stop of its sliders.
+  const seen = () => {
+    const stop = sliders.stop();
+    if (stop === null) return {now: step(), from: item(), parts: sections[scene], size: lesson.scenes[scene].size};
+    const {steps: [now], size} = lesson.stops[stop], parts = stops[stop];
+    return {now, from: parts.querySelector("li"), parts, size};
+  };
 
   const fill = (target, source) => {
     target.hidden = !source;
@@ -30,14 +46,14 @@
   };
 
   const drawPictures = () => {
-    const now = step(), {size} = lesson.scenes[scene], wide = roomy.matches;
+    const {now, size} = seen(), wide = roomy.matches;
     picture.draw(wide ? now.w : now.s, wide ? size.w : size.s);
     find(".knots").hidden = !now.k;
     if (now.k) knots.draw(wide ? now.k : now.l, wide ? size.k : size.l);
   };
 
   const showCode = () => {
-    const now = step();
+    const {now} = seen();
     const code = sections[scene].querySelector(`ol.code[data-c="${now.c}"]`);
     const shown = card("code").lastElementChild;
     card("code").hidden = !code;
@@ -56,25 +72,31 @@
   };
 
   const show = () => {
-    const now = step(), told = item(), last = steps().at(-1).n;
-    const says = told.querySelector(".say"), phase = told.querySelector(".phase");
+    const {n, q} = step(), {now, from, parts} = seen(), last = steps().at(-1).n;
+    const says = from.querySelector(".say"), phase = from.querySelector(".phase");
     drawPictures();
-    const place = word("picture", {n: now.n});
+    const place = word("picture", {n});
     picture.svg.setAttribute("aria-label", `${place}: ${says.textContent.replace(/\s+/g, " ").trim()}`);
     fill(find(".told .phase"), phase);
     fill(find(".told .say"), says);
-    const formula = told.querySelector(".formula:not(.say .formula)");
+    const formula = from.querySelector(".formula:not(.say .formula)");
     card("formula").hidden = !formula;
     fill(card("formula").lastElementChild, formula);
     const code = showCode();
-    sheet.show(sections[scene], now);
-    find(".question").replaceChildren(...(now.q ? [Questions.show(now.q, told, code)] : []));
+    sheet.show(parts, now);
+    // What was typed stays while the sliders are elsewhere.
+    question.hidden = sliders.moved();
+    if (!question.hidden && (question.of !== item() || question.code !== code)) {
+      question.of = item();
+      question.code = code;
+      question.replaceChildren(...(q ? [Questions.show(q, item(), code)] : []));
+    }
 
     range.max = steps().length - 1;
     range.value = at;
-    const words = word("of", {n: now.n, last});
+    const words = word("of", {n, last});
     range.setAttribute("aria-valuetext", words);
-    where.textContent = `${now.n} / ${last}`;
+    where.textContent = `${n} / ${last}`;
     where.title = words;
     const isFirst = at === 0 && scene === 0, isLast = at === steps().length - 1 && scene === sections.length - 1;
     for (const button of bar.querySelectorAll("button[data-go]")) {
@@ -83,15 +105,18 @@
       button.setAttribute("aria-disabled", still);
     }
     for (const list of items)
-      for (const each of list) each.classList.toggle("shown", each === told);
+      for (const each of list) each.classList.toggle("shown", each === item());
     sections.forEach((section, i) => section.classList.toggle("shown", i === scene));
     for (const tab of document.querySelectorAll(".scenes button")) {
-      if (+tab.dataset.scene === scene) tab.setAttribute("aria-current", "true");
-      else tab.removeAttribute("aria-current");
+      if (+tab.dataset.scene === scene) {
+        tab.setAttribute("aria-current", "true");
+        const row = tab.parentNode;
+        row.scrollLeft = tab.offsetLeft - row.offsetLeft - (row.clientWidth - tab.offsetWidth) / 2;
+      } else tab.removeAttribute("aria-current");
     }
     const {id} = lesson.scenes[scene];
     try {
-      history.replaceState(null, "", `#${id ? id + "-" : ""}${now.n}`);
+      history.replaceState(null, "", `#${id ? id + "-" : ""}${n}`);
     } catch { /* it is only the address */
     }
   };
@@ -117,6 +142,9 @@
     scene = Math.min(Math.max(to, 0), sections.length - 1);
     at = Math.min(Math.max(step_index, 0), steps().length - 1);
     if (other) drawMarks();
+    told.setAttribute("aria-live", "polite");
+    told.style.minHeight = "";
+    sliders.open(item(), step());
     show();
   };
 
@@ -211,6 +239,7 @@
       event.preventDefault();
       return dialog.showModal();
     }
+    if (target.matches?.(".sliders input") && event.key !== " ") return;  // they move by their own keys
     const action = event.shiftKey ? undefined : keys[event.key];
     if (!action || (event.key === " " && target.closest?.("button, summary, a"))) return;
     const room = target.closest?.(".scroll");  // a table that is wider than its place
@@ -264,8 +293,9 @@
   score.addEventListener("click", (event) => {
     const action = event.target.closest("[data-do]")?.dataset.do;
     if (action === "save") score.querySelector("output").textContent = word("saved", {a: Questions.save()});
-    if (action === "forget") {
+    if (action === "forget" && confirm(`${word("forget")}?`)) {
       Questions.forget();
+      question.of = null;
       show();
     }
   });

@@ -19,7 +19,8 @@ Checked<LessonExported> write(const Story& story, const fs::path& folder, const 
 }  // namespace
 
 const LessonFormat& lesson_png() {
-  static const LessonFormat format{"png", "PNG pictures", ".png", true, "a picture for each step", write};
+  static const LessonFormat format{
+      "png", "PNG pictures", ".png", true, "a picture for each step", write, export_use::size | export_use::scale};
   return format;
 }
 

@@ -149,7 +149,7 @@ const Shown = (() => {
       const rows = section.querySelector("template.values").content.querySelectorAll("tr");
       const body = element("tbody", {}, ...(step.g ?? []).map((row, i) => {
         const made = rows[row].cloneNode(true);
-        if (i === step.h) {
+        if (step.h?.includes(i)) {
           made.className = "now";
           made.setAttribute("aria-current", "step");
         }
@@ -157,7 +157,7 @@ const Shown = (() => {
       }));
       const title = word(step.n === 0 ? "given" : "values");
       // One value that this step makes stands beside it already.
-      this.card.hidden = body.childElementCount === 0 || (body.childElementCount === 1 && step.h === 0);
+      this.card.hidden = body.childElementCount === 0 || (body.childElementCount === 1 && step.h);
       this.title.textContent = title;
       this.scroll.setAttribute("aria-label", title);
       this.sheet.append(element("table", {class: "values"}, body));

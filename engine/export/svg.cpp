@@ -20,7 +20,8 @@ Checked<LessonExported> write(const Story& story, const fs::path& folder, const 
 }  // namespace
 
 const LessonFormat& lesson_svg() {
-  static const LessonFormat format{"svg", "SVG pictures", ".svg", true, "a picture for each step, text as text", write};
+  static const LessonFormat format{"svg", "SVG pictures",  ".svg", true, "a picture for each step, text as text",
+                                   write, export_use::size};
   return format;
 }
 

@@ -8,6 +8,8 @@
 #include "base/json.hpp"
 #include "export/export.hpp"
 #include "export/latex_text.hpp"
+#include "export/page_words.hpp"
+#include "export/paper_view.hpp"
 #include "export/tikz_canvas.hpp"
 #include "render/painter.hpp"
 #include "scene/panels.hpp"
@@ -18,7 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double picture_width = 640, picture_height = 420, points_per_unit = 0.52;
+constexpr double picture_width = 560, picture_height = 300, points_per_unit = 0.58;
+// In points: fonts come in whole ones.
+constexpr LetterSizes letters{6.6 / points_per_unit, 8.6 / points_per_unit};
 // Larger schemes would be too small to read on a page.
 constexpr int most_columns = 7;
 constexpr double most_rows = 24;
@@ -33,10 +37,10 @@ constexpr std::string_view packages = R"(\documentclass[10pt,a4paper]{article}
 \usepackage[hidelinks]{hyperref}
 )";
 
-constexpr std::string_view commands = R"(% A step: its number, its phase, its picture.
+constexpr std::string_view commands = R"(% A step: its heading, its phase, its picture.
 \newsavebox{\blossombox}
 \newcommand{\blossomstep}[2]{\par\addvspace{18pt plus 6pt}\penalty-200
-  \noindent\begin{minipage}{\textwidth}{\large\bfseries Step #1}\hfill
+  \noindent\begin{minipage}{\textwidth}{\large\bfseries #1}\hfill
   \parbox[t]{0.78\textwidth}{\raggedleft\small\itshape #2}\par\smallskip
   \centering\usebox{\blossombox}\end{minipage}\par\nobreak\smallskip\noindent\ignorespaces}
 % A scheme in the middle of a line, smaller where it is too wide or too high.
@@ -46,8 +50,13 @@ constexpr std::string_view commands = R"(% A step: its number, its phase, its pi
     \sbox{\blossombox}{\resizebox{!}{0.6\textheight}{\usebox{\blossombox}}}\fi
   \noindent\hfil\usebox{\blossombox}\par\medskip}
 % The line of the code, and the formula, which stay with the step.
-\newcommand{\blossomline}[2]{\par\nobreak\smallskip{\small\raggedright line #1:\enspace\texttt{#2}\par}\nobreak}
+\newcommand{\blossomline}[2]{\par\nobreak\smallskip{\small\raggedright #1:\enspace\texttt{#2}\par}\nobreak}
 \newcommand{\blossomformula}[1]{\par\nobreak{\raggedright$#1$\par}}
+% A question, which no page cuts, with room for its answer; and what stands behind one whose answer the next step tells.
+\newenvironment{blossomquestion}[1]{\par\addvspace{10pt}\noindent
+  \begin{minipage}{\textwidth}\setlength{\parskip}{4pt plus 2pt}\textbf{#1.} \ignorespaces}{\end{minipage}\par}
+\newcommand{\blossomanswer}[1]{\par\medskip #1: \hrulefill\par}
+\newcommand{\blossomturn}{\clearpage}
 \makeatletter
 \def\@listi{\leftmargin\leftmargini\topsep=2pt\parsep=1pt\itemsep=1pt}
 \let\@listI\@listi\@listi
@@ -99,7 +108,11 @@ std::string tex_formula(const std::string& formula, const Algorithm& algorithm) 
 class Document {
  public:
   Document(const Story& story, const LessonExportOptions& options, std::shared_ptr<const Fonts> fonts)
-      : story_(story), options_(options), fonts_(fonts), canvas_(std::move(fonts), points_per_unit) {}
+      : story_(story),
+        options_(options),
+        fonts_(fonts),
+        words_(story.language),
+        canvas_(std::move(fonts), points_per_unit) {}
 
   // The file, or nothing if it was stopped.
   std::optional<std::string> write() {
@@ -115,10 +128,11 @@ class Document {
       }
     }
     if (!story_.exercises.empty()) {
-      body_ += "\\section*{Exercises}\n\\begin{itemize}\n";
-      for (const auto& id : story_.exercises) body_ += "\\item " + latex_text(id) + "\n";
+      body_ += "\\section*{" + word("practise") + "}\n\\begin{itemize}\n";
+      for (const StoryLink& link : story_.exercises) body_ += "\\item {}" + latex_text(link.words()) + "\n";
       body_ += "\\end{itemize}\n";
     }
+    if (options_.checkpoints) add_answers();
     return std::string(packages) + TikzCanvas::preamble(canvas_.colors()) + unicode_declarations(body_) +
            std::string(commands) + "\\hypersetup{pdftitle={" + latex_text(story_.title) + "}}\n\\begin{document}\n" +
            body_ + "\\end{document}\n";
@@ -126,23 +140,27 @@ class Document {
 
  private:
   std::string words(const Prose& prose, const Algorithm& algorithm) const { return prose_latex(prose, algorithm); }
+  std::string word(std::string_view key) const { return latex_text(words_(key)); }
+  std::string word(std::string_view key, std::uint32_t n) const { return latex_text(words_(key, std::to_string(n))); }
 
   void add_head() {
     const Algorithm& algorithm = story_.scenes.front().recording->algorithm();
     if (!story_.unit.empty()) body_ += "{\\small " + latex_text(story_.unit) + "}\\par\n";
     body_ += "{\\LARGE\\bfseries\\raggedright " + latex_text(story_.title) + "\\par}\\medskip\n";
     if (!story_.summary.empty()) body_ += words(read_prose(story_.summary), algorithm) + "\\par\n";
-    if (story_.minutes > 0) body_ += "\\textbf{Time:} about " + std::to_string(story_.minutes) + " minutes\\par\n";
+    if (story_.minutes > 0)
+      body_ +=
+          "\\textbf{" + word("time") + ":} " + word("duration", static_cast<std::uint32_t>(story_.minutes)) + "\\par\n";
     if (!story_.objectives.empty()) {
-      body_ += "\\textbf{You will}\n\\begin{itemize}\n";
+      body_ += "\\textbf{" + word("objectives") + "}\n\\begin{itemize}\n";
       for (const auto& objective : story_.objectives)
         body_ += "\\item {}" + words(read_prose(objective), algorithm) + "\n";
       body_ += "\\end{itemize}\n";
     }
     std::string before;
-    for (const auto& id : story_.prerequisites) before += (before.empty() ? "" : ", ") + id;
-    if (!before.empty()) body_ += "\\textbf{Before this:} " + latex_text(before) + "\\par\n";
-    if (!story_.source.empty()) body_ += "\\textbf{Read on in:} " + latex_text(story_.source) + "\\par\n";
+    for (const StoryLink& link : story_.prerequisites) before += (before.empty() ? "" : "; ") + link.words();
+    if (!before.empty()) body_ += "\\textbf{" + word("before") + ":} " + latex_text(before) + "\\par\n";
+    if (!story_.source.empty()) body_ += "\\textbf{" + word("source") + ":} " + latex_text(story_.source) + "\\par\n";
     body_ += "\\medskip\\hrule\n";
   }
 
@@ -160,22 +178,24 @@ class Document {
   void add_step(const StoryScene& scene, const StoryStep& told) {
     const StepSource& source = scene.source();
     const Algorithm& algorithm = source.algorithm_at(told.step);
-    Scene picture;
-    picture.width = picture_width;
-    picture.height = picture_height;
-    picture.views.push_back(scene.picture(told.step, picture_width, picture_height));
+    if (turn_) body_ += "\n\\blossomturn\n";
+    turn_ = false;
+    const Scene picture = picture_with_knots(scene, told.step, picture_width, picture_height, *options_.theme, letters);
     paint(picture, *options_.theme, *fonts_, canvas_, 1);
-    body_ += "\n\\sbox{\\blossombox}{%\n" + canvas_.picture() + "}%\n\\blossomstep{" + std::to_string(told.step) +
+    body_ += "\n\\sbox{\\blossombox}{%\n" + canvas_.picture() + "}%\n\\blossomstep{" + word("stepname", told.step) +
              "}{" + latex_text(told.phase) + "}\n" + words(told.prose, algorithm);
     const auto& code = algorithm.pseudo_code;
     if (told.line > 0 && static_cast<std::size_t>(told.line) <= code.size()) {
       const std::string_view line = code[static_cast<std::size_t>(told.line) - 1];
-      body_ += "\\blossomline{" + std::to_string(told.line) + "}{" +
+      body_ += "\\blossomline{" + word("line", static_cast<std::uint32_t>(told.line)) + "}{" +
                latex_text(line.substr(std::min(line.find_first_not_of(' '), line.size()))) + "}\n";
     }
     add_formula(source, told.step, algorithm);
-    add_scheme(source, told.step);
-    if (options_.checkpoints && told.question) add_question(*told.question, algorithm);
+    // A question stands with its step; the scheme, which the next one shows, would drive it to the next page.
+    if (options_.checkpoints && told.question)
+      add_question(*told.question, algorithm);
+    else
+      add_scheme(source, told.step);
   }
 
   void add_formula(const StepSource& source, std::uint32_t step, const Algorithm& algorithm) {
@@ -183,7 +203,10 @@ class Document {
     if (v == absent || source.graph->is_input(v)) return;
     const std::string formula = source.formula(v), numbers = source.numbers(v), value = source.value_text(v);
     constexpr std::size_t most = 400;  // a knot vector of hundreds of knots is not for a line
-    std::string tex = tex_name(typeset_name(source.graph->value(v).name, algorithm));
+    const std::string own = source.own_name(v);
+    std::string tex = own.find('.') == std::string::npos
+                          ? tex_name(typeset_name(source.graph->value(v).name, algorithm))
+                          : tex_formula(own, algorithm);
     if (formula.size() < most) tex += " = " + tex_formula(formula, algorithm);
     if (numbers != formula && numbers != value && numbers.size() < most) tex += " = " + tex_formula(numbers, algorithm);
     if (value.size() < most && value != formula) tex += " = " + tex_value(value);
@@ -192,7 +215,7 @@ class Document {
 
   // Only where it has grown.
   void add_scheme(const StepSource& source, std::uint32_t step) {
-    const Scheme* scheme = scheme_at(source, step);
+    const Scheme* scheme = source.graph->main_value(step) == absent ? nullptr : scheme_at(source, step);
     if (scheme == nullptr || scheme->column_count() > most_columns || scheme->rows > most_rows) return;
     std::string tableau = latex_tableau(source, step);
     if (tableau == last_scheme_) return;
@@ -201,21 +224,46 @@ class Document {
   }
 
   void add_question(const StoryStep::Question& question, const Algorithm& algorithm) {
-    body_ += "\\par\\medskip\\textbf{Question.} " + words(question.ask, algorithm) + "\n";
+    using Kind = Checkpoint::Kind;
+    body_ += "\\begin{blossomquestion}{" + word("question") + "}" + words(question.ask, algorithm) + "\n";
     if (!question.options.empty()) {
       body_ += "\\begin{itemize}\n";
       for (std::size_t i = 0; i < question.options.size(); ++i)
         body_ += "\\item[" + letter_of(i) + "] {}" + words(question.options[i], algorithm) + "\n";
       body_ += "\\end{itemize}\n";
     }
-    if (question.checkpoint->kind != Checkpoint::Kind::choice) body_ += "\\par Answer: \\hrulefill\\par\n";
+    const Kind kind = question.checkpoint->kind;
+    if (kind != Kind::choice) body_ += "\\blossomanswer{" + word(asked_word(kind)) + "}\n";
+    body_ += "\\end{blossomquestion}\n";
+    turn_ = kind != Kind::choice && kind != Kind::order;
+  }
+
+  void add_answers() {
+    std::string answers;
+    for (const StoryScene& scene : story_.scenes) {
+      for (const StoryStep& told : scene.steps) {
+        if (!told.question) continue;
+        const StoryStep::Question& question = *told.question;
+        const Algorithm& algorithm = scene.source().algorithm_at(told.step);
+        answers += "\\item[" + word("stepname", told.step) + "] " +
+                   (scene.heading.empty() ? "" : "\\emph{" + latex_text(scene.heading) + ".} ") + "\\textbf{" +
+                   latex_text(question.answer) + "}\n";
+        if (const auto at = right_option(question)) answers += " " + words(question.options[*at], algorithm) + "\n";
+        if (!question.right.empty()) answers += "\\par " + words(question.right, algorithm) + "\n";
+      }
+    }
+    if (!answers.empty())
+      body_ +=
+          "\\clearpage\n\\section*{" + word("answers") + "}\n\\begin{description}\n" + answers + "\\end{description}\n";
   }
 
   const Story& story_;
   const LessonExportOptions& options_;
   std::shared_ptr<const Fonts> fonts_;
+  PageWords words_;
   TikzCanvas canvas_;
   std::string body_, last_scheme_;
+  bool turn_ = false;  // the next step tells what was asked
 };
 
 Checked<LessonExported> write(const Story& story, const fs::path& out, const LessonExportOptions& options) {

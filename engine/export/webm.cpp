@@ -19,8 +19,13 @@ Checked<LessonExported> write(const Story& story, const std::filesystem::path& o
 }  // namespace
 
 const LessonFormat& lesson_webm() {
-  static const LessonFormat format{"webm", "Film (WebM)", ".webm", false, "a film, VP9, free of patents; needs ffmpeg",
-                                   write};
+  static const LessonFormat format{"webm",
+                                   "Film (WebM)",
+                                   ".webm",
+                                   false,
+                                   "a film, VP9, free of patents; needs ffmpeg",
+                                   write,
+                                   export_use::size | export_use::scale | export_use::time};
   return format;
 }
 

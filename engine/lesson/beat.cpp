@@ -6,6 +6,7 @@
 #include "algorithms/selector.hpp"
 #include "base/json_write.hpp"
 #include "lesson/document.hpp"
+#include "lesson/names.hpp"
 #include "lesson/prose.hpp"
 
 namespace blossom {
@@ -26,7 +27,7 @@ std::optional<std::vector<ValueId>> read_selection(const Cursor& at, const Trace
   if (trace == nullptr) return std::nullopt;
   auto values = selector->select(*trace);
   if (values.empty()) {
-    at.error(why_nowhere({Place::Kind::value, 0, *text}, *trace));
+    at.error(why_nowhere({Place::Kind::last, 0, *text}, *trace));
     return std::nullopt;
   }
   return values;
@@ -118,7 +119,11 @@ class Reader {
     camera.zoom = number("zoom", 0.1, 20).value_or(1);
     if (const auto fit = at.optional("fit"); fit && fit->expect_array(1))
       for (std::size_t i = 0; i < fit->size(); ++i)
-        if (read_selection((*fit)[i], trace())) camera.fit.push_back((*fit)[i].json().text);
+        if (const auto values = read_selection((*fit)[i], trace())) {
+          camera.fit.push_back((*fit)[i].json().text);
+          const auto is_somewhere = [&](ValueId v) { return trace()->value(v).kind == ValueKind::point; };
+          if (std::ranges::none_of(*values, is_somewhere)) (*fit)[i].error("must select points, which are to be seen");
+        }
     beat.camera = camera;
   }
 
@@ -127,18 +132,24 @@ class Reader {
       beat.waits = true;
       return;
     }
-    const auto seconds = at.is(Json::Kind::number) ? at.number() : std::nullopt;
+    const bool may_be_number = at.is(Json::Kind::number) || at.is(Json::Kind::string);
+    const auto seconds = may_be_number ? Exact::parse(at.json().text) : std::nullopt;
     if (seconds && Exact(0) < *seconds && seconds->to_double() <= longest_pause)
       beat.seconds = seconds->to_double();
     else
-      at.error(R"(must be "wait" or a number of seconds up to 60)");
+      at.error(R"(must be "wait" or a number of seconds above 0, up to 60)");
   }
 
   void sliders(const Cursor& at, Beat& beat) const {
     if (!at.expect_array(1, 4)) return;
     for (std::size_t i = 0; i < at.size(); ++i) {
       if (!at[i].expect_object({"input", "from", "to", "step", "label"})) continue;
-      if (auto slider = this->slider(at[i])) beat.sliders.push_back(*std::move(slider));
+      auto slider = this->slider(at[i]);
+      if (!slider) continue;
+      const auto same = [&](const Slider& other) { return other.input == slider->input; };
+      if (std::ranges::any_of(beat.sliders, same))
+        at[i].optional("input")->error(excerpt(slider->input) + " has a slider here already");
+      beat.sliders.push_back(*std::move(slider));
     }
   }
 
@@ -165,11 +176,14 @@ class Reader {
     return made;
   }
 
-  // "curve.points[1][0]": keys and places from the inputs down to a number.
+  // "curve.points[1][0]": keys and places from the inputs down to a number; nullptr, with a mistake, if it leads to
+  // none.
   void check_input(const Cursor& at, const std::string& path) const {
     const Json* here = &inputs_->json();
     std::string_view rest = path;
-    const auto stop = [&](const std::string& why) { at.error(why + ", in " + excerpt(path)); };
+    const auto stop = [&](const std::string& why, std::string_view what) {
+      at.error(why + (what == path ? "" : ", in " + excerpt(path)));
+    };
     while (!rest.empty()) {
       if (rest.front() == '[') {
         const std::size_t end = rest.find(']');
@@ -178,24 +192,31 @@ class Reader {
         const auto [stopped, error] = std::from_chars(rest.data() + 1, last, index);
         if (end == std::string_view::npos || error != std::errc() || stopped != last ||
             here->kind != Json::Kind::array || index >= here->items.size())
-          return stop("the inputs have no such place");
+          return stop("the inputs have no such place", "");
         here = &here->items[index];
         rest.remove_prefix(end + 1);
         continue;
       }
       if (rest.front() == '.') rest.remove_prefix(1);
       const std::string_view key = rest.substr(0, rest.find_first_of(".["));
-      if (key.empty()) return stop("must be a path such as \"u\" or \"curve.points[1][0]\"");
+      if (key.empty()) return stop("must be a path such as \"u\" or \"curve.points[1][0]\"", "");
       const Json* next = here->kind == Json::Kind::object ? here->find(key) : nullptr;
       if (next == nullptr) {
-        const auto near = here->kind == Json::Kind::object ? did_you_mean(key, here->keys) : std::nullopt;
-        return stop("the inputs have no " + excerpt(key) + (near ? "; did you mean " + excerpt(*near) + "?" : ""));
+        const bool inside = here->kind == Json::Kind::object;
+        const auto near = inside ? did_you_mean(key, here->keys) : std::nullopt;
+        std::string what = "the inputs have no " + excerpt(key);
+        if (near)
+          what += "; did you mean " + excerpt(*near) + "?";
+        else
+          for (std::size_t i = 0; inside && i < here->keys.size(); ++i)
+            what += (i == 0 ? "; there is " : ", ") + excerpt(here->keys[i]);
+        return stop(what, key);
       }
       here = next;
       rest.remove_prefix(key.size());
     }
     const bool number = here->kind == Json::Kind::number || here->kind == Json::Kind::string;
-    if (path.empty() || !number) stop("must lead to one number of the inputs");
+    if (path.empty() || !number) stop("must lead to one number of the inputs", "");
   }
 
   const Languages& languages_;
@@ -232,6 +253,23 @@ void check_shadowed(const std::vector<std::pair<Cursor, std::size_t>>& every, co
   }
 }
 
+// What to say of a placeholder that names nothing at a step.
+std::string why_unknown(const std::string& placeholder, const Narrator<Exact>& narrator, std::uint32_t step) {
+  const TraceGraph& trace = narrator.trace();
+  const std::string named = excerpt("{" + placeholder + "}");
+  const auto words = placeholder_words();
+  if (step == 0 && (std::ranges::find(words, placeholder) != words.end() || placeholder.starts_with('@')))
+    return named +
+           " is about the value that a step makes, and the start makes none; name the one you mean, such as \"{" +
+           trace.name(0) + "}\"";
+  const std::string_view name =
+      std::string_view(placeholder).substr(placeholder.starts_with('#') || placeholder.starts_with('~') ? 1 : 0);
+  const std::string message = named + " names nothing at step " + std::to_string(step);
+  if (const auto later = trace.find(name); later && trace.value(*later).step > step)
+    return message + ": it is made at step " + std::to_string(trace.value(*later).step);
+  return message + meant_values(name, trace, words);
+}
+
 }  // namespace
 
 void check_template(const Cursor& at, const LocalText& text, const Languages& languages,
@@ -247,21 +285,15 @@ void check_template(const Cursor& at, const LocalText& text, const Languages& la
     if (!step || narrator == nullptr) continue;
     std::vector<std::string> unknown;
     const std::string filled = narrator->fill(words, *step, &unknown);
-    for (const std::string& placeholder : unknown) {
-      const std::string_view name =
-          std::string_view(placeholder).substr(placeholder.starts_with('#') || placeholder.starts_with('~') ? 1 : 0);
-      std::string message = excerpt("{" + placeholder + "}") + " names nothing at step " + std::to_string(*step);
-      if (const auto later = narrator->trace().find(name))
-        message += ": it is made at step " + std::to_string(narrator->trace().value(*later).step);
-      else if (const auto near = nearest_name(narrator->trace(), name))
-        message += "; did you mean " + excerpt(*near) + "?";
-      here.error(message);
-    }
+    for (const std::string& placeholder : unknown) here.error(why_unknown(placeholder, *narrator, *step));
     std::vector<ProseMistake> mistakes;
     read_prose(filled, &mistakes);
-    for (const ProseMistake& mistake : mistakes)
-      here.error(mistake.what + ", at " +
-                 excerpt(std::string_view(filled).substr(std::min(mistake.at, filled.size()))));
+    for (const ProseMistake& mistake : mistakes) {
+      const std::string_view rest = std::string_view(filled).substr(std::min(mistake.at, filled.size()));
+      // A placeholder that is left standing in a formula is told already.
+      if (!unknown.empty() && (rest.starts_with("\\value{") || rest.starts_with("\\name{"))) continue;
+      here.error(mistake.what + ", at " + excerpt(rest));
+    }
   }
 }
 

@@ -4,10 +4,10 @@
 #include <array>
 #include <numeric>
 
-#include "algorithms/selector.hpp"
 #include "base/json_write.hpp"
 #include "lesson/beat.hpp"
 #include "lesson/document.hpp"
+#include "lesson/names.hpp"
 
 namespace blossom {
 namespace {
@@ -62,13 +62,11 @@ class Reader {
     const TraceGraph& trace = narrator_->trace();
     const auto value = trace.find(*name);
     if (!value) {
-      const auto near = nearest_name(trace, *name);
-      blamed.error("no value of this run is called " + excerpt(*name) +
-                   (near ? "; did you mean " + excerpt(*near) + "?" : ""));
+      blamed.error("no value of this run is called " + excerpt(*name) + meant_values(*name, trace));
       return;
     }
-    if (span && trace.value(*value).kind != ValueKind::integer)
-      blamed.error(excerpt(*name) + " is no index of a knot span");
+    if (span && trace.value(*value).rule != &rule_info<FindSpan>)
+      return blamed.error(excerpt(*name) + " is no index of a knot span");
     if (const std::uint32_t made_at = trace.value(*value).step; step_ && made_at <= *step_)
       blamed.error("nobody can be asked for " + excerpt(*name) + " here: it is made at step " +
                    std::to_string(made_at) + " and this is step " + std::to_string(*step_) +
@@ -89,11 +87,13 @@ class Reader {
     const auto items = at_.required("items");
     if (!items || !items->expect_array(2, most_choices)) return;
     for (std::size_t i = 0; i < items->size(); ++i) made.items.push_back(text((*items)[i]));
+    check_different(made.items, [&](std::size_t i) { return (*items)[i]; });
   }
 
   void choices(Checkpoint& made) const {
     const auto choices = at_.required("choices");
     if (!choices || !choices->expect_array(2, most_choices)) return;
+    const std::size_t mistakes = choices->error_count();
     for (std::size_t i = 0; i < choices->size(); ++i) {
       const Cursor choice = (*choices)[i];
       if (!choice.expect_object({"text", "feedback", "right"})) continue;
@@ -103,11 +103,26 @@ class Reader {
       if (const auto right = choice.optional("right")) read.right = right->boolean().value_or(false);
       made.choices.push_back(std::move(read));
     }
+    if (choices->errors_since(mistakes)) return;
+    std::vector<LocalText> texts;
+    for (const auto& choice : made.choices) texts.push_back(choice.text);
+    check_different(texts, [&](std::size_t i) { return *(*choices)[i].optional("text"); });
     const auto right = std::ranges::count_if(made.choices, [](const auto& choice) { return choice.right; });
     if (right != 1) choices->error("must have exactly one choice with \"right\": true, not " + std::to_string(right));
   }
 
  private:
+  // Of two that read the same, in any language, nobody could know which is meant.
+  void check_different(const std::vector<LocalText>& texts, const auto& cursor_at) const {
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      for (std::size_t before = 0; before < i; ++before) {
+        const auto same = [&](const auto& text) { return texts[before].in(text.first) == text.second; };
+        if (texts[i].empty() || std::ranges::none_of(texts[i].texts(), same)) continue;
+        cursor_at(i).error("reads the same as the one at " + std::to_string(before) + "; nobody can tell them apart");
+        break;
+      }
+  }
+
   const Cursor& at_;
   const Languages& languages_;
   const Narrator<Exact>* narrator_;

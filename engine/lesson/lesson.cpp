@@ -1,6 +1,7 @@
 #include "lesson/lesson.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "algorithms/selector.hpp"
@@ -64,7 +65,7 @@ void read_predict(const Cursor& at, const TraceGraph* trace, LessonScene& scene)
     if (!selector || trace == nullptr) continue;
     const auto values = selector->select(*trace);
     if (values.empty()) {
-      item.error(why_nowhere({Place::Kind::value, 0, *text}, *trace));
+      item.error(why_nowhere({Place::Kind::last, 0, *text}, *trace));
       continue;
     }
     scene.asks.push_back(*text);
@@ -112,6 +113,20 @@ void read_scenes(const Cursor& at, Lesson& lesson) {
     else
       lesson.others.push_back(std::move(scene));
   }
+}
+
+constexpr std::array<std::string_view, 4> of_a_run{"algorithm", "inputs", "beats", "predict"};
+
+void check_beside_scenes(const Cursor& root) {
+  std::vector<std::size_t> found;
+  std::string names;
+  for (std::size_t i = 0; i < root.size(); ++i)
+    if (std::ranges::find(of_a_run, root.json().keys[i]) != of_a_run.end()) found.push_back(i);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    names += (i == 0 ? "" : i + 1 == found.size() ? " and " : ", ") + excerpt(root.json().keys[found[i]]);
+  if (!found.empty())
+    root.key_error(found[0],
+                   names + (found.size() == 1 ? " belongs" : " belong") + " into a scene once there are \"scenes\"");
 }
 
 std::vector<std::string> read_ids(const Cursor& at) {
@@ -174,9 +189,11 @@ Checked<Lesson> load_lesson(const JsonDocument& document) {
                                 "summary",    "source",        "minutes",   "language", "languages",
                                 "objectives", "prerequisites", "exercises", "scenes",   "colors"};
   const bool several = root.is(Json::Kind::object) && root.json().find("scenes") != nullptr;
-  if (!several) keys.insert(keys.end(), {"algorithm", "inputs", "beats", "predict"});
+  keys.insert(keys.end(), of_a_run.begin(), of_a_run.end());
   if (!root.expect_object(keys)) return diagnostics;
   expect_schema(root, "blossom.lesson/1");
+  if (const auto at = root.optional("$schema")) at->string();
+  if (several) check_beside_scenes(root);
   Lesson lesson;
   lesson.languages = read_languages(root);
   read_metadata(root, lesson);

@@ -1,10 +1,13 @@
 #include "lesson/links.hpp"
 
 #include <algorithm>
+#include <array>
 #include <deque>
+#include <set>
 
 #include "lesson/catalog.hpp"
 #include "lesson/file_kind.hpp"
+#include "lesson/prose.hpp"
 
 namespace blossom {
 namespace {
@@ -165,6 +168,54 @@ Diagnostics check_links(const JsonDocument& document, const CourseIndex& index, 
     at.error("no exercise beside this file, in ../exercises or in the course has the id " + excerpt(id) +
              meant(id, known));
   });
+  return diagnostics;
+}
+
+namespace {
+
+void check_words(const Cursor& at, const fs::path& folder) {
+  if (at.json().text.find("](") == std::string::npos) return;
+  std::set<std::string> told;
+  for (const Block& block : read_prose(at.json().text))
+    for (const Span& span : block.spans) {
+      const std::string file = span.link.substr(0, span.link.find_first_of("#?"));
+      std::error_code error;
+      if (file.empty() || file.find(':') != std::string::npos || fs::exists(folder / file, error)) continue;
+      if (told.insert(file).second) at.error("there is no file " + excerpt(file) + " beside this one");
+    }
+}
+
+// Strings under the keys that hold words, in whatever languages.
+void check_below(const Cursor& at, bool words, const fs::path& folder) {
+  static constexpr std::array<std::string_view, 8> keys{"say",   "ask",  "right",    "wrong",
+                                                        "items", "text", "feedback", "prompt"};
+  if (words && at.is(Json::Kind::string)) return check_words(at, folder);
+  for (std::size_t i = 0; at.is(Json::Kind::array) && i < at.size(); ++i) check_below(at[i], words, folder);
+  for (std::size_t i = 0; at.is(Json::Kind::object) && i < at.size(); ++i) {
+    const std::string& key = at.json().keys[i];
+    if (key == "inputs" || key == "$comment") continue;
+    check_below(at.member(i), words || std::ranges::find(keys, key) != keys.end(), folder);
+  }
+}
+
+}  // namespace
+
+Diagnostics check_addresses(const JsonDocument& document) {
+  Diagnostics diagnostics;
+  check_below(Cursor(document, diagnostics), false, fs::path(document.name()).parent_path());
+  return diagnostics;
+}
+
+Diagnostics check_id(const JsonDocument& document, const CourseIndex& index) {
+  Diagnostics diagnostics;
+  const fs::path file = document.name();
+  const std::string id = text_at(document.root(), "id");
+  const fs::path first = file_kind(document.root()) == FileKind::lesson ? index.lesson_file(file.parent_path(), id)
+                                                                        : index.exercise_file(file.parent_path(), id);
+  if (!first.empty() && first.filename() != file.filename())
+    Cursor(document, diagnostics)
+        .optional("id")
+        ->error(excerpt(id) + " is the id of " + first.string() + " already; each needs one of its own");
   return diagnostics;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What lessons say of other files: the lessons to be seen before, and the exercises that go with them.
+// What lessons and exercises say of other files: the lessons to be seen before, the exercises that go with them, and
+// the files their words lead to.
 
 #include <filesystem>
 #include <map>
@@ -55,5 +56,9 @@ struct CourseFolders {
 // Prerequisites and exercises of a lesson that no file has, and prerequisites in a circle. The folders of the file and
 // of the course are in the index.
 Diagnostics check_links(const JsonDocument& lesson, const CourseIndex&, const CourseFolders& course = {});
+// Links in the words of a lesson or an exercise that lead to no file beside it.
+Diagnostics check_addresses(const JsonDocument&);
+// Nothing, unless an earlier file of the folder has the id of this lesson or exercise, too.
+Diagnostics check_id(const JsonDocument&, const CourseIndex&);
 
 }  // namespace blossom

@@ -35,10 +35,11 @@ bool LocalText::has(std::string_view language) const {
 
 Languages read_languages(const Cursor& root) {
   Languages languages;
+  const std::size_t mistakes = root.error_count();
   if (const auto at = root.optional("language")) languages.own = read_language(*at).value_or(languages.own);
   const auto at = root.optional("languages");
-  if (!at || !at->expect_array(1, 32)) return languages;
-  for (std::size_t i = 0; i < at->size(); ++i) {
+  const std::size_t count = at && at->expect_array(1, 32) ? at->size() : 0;
+  for (std::size_t i = 0; i < count; ++i) {
     const auto name = read_language((*at)[i]);
     if (!name || *name == languages.own) continue;
     if (std::ranges::find(languages.others, *name) != languages.others.end())
@@ -46,12 +47,13 @@ Languages read_languages(const Cursor& root) {
     else
       languages.others.push_back(*name);
   }
+  languages.known = !root.errors_since(mistakes);
   return languages;
 }
 
 std::optional<LocalText> read_local_text(const Cursor& at, const Languages& languages) {
   const auto lacks = [&](const std::string& language) {
-    at.error("has no text in " + excerpt(language) + ", which \"languages\" promises");
+    if (languages.known) at.error("has no text in " + excerpt(language) + ", which \"languages\" promises");
   };
   if (!at.is(Json::Kind::object)) {
     auto text = read_text(at);
@@ -61,15 +63,16 @@ std::optional<LocalText> read_local_text(const Cursor& at, const Languages& lang
   }
   LocalText local;
   const auto own = at.optional(languages.own);
-  if (!own) {
+  if (!own && languages.known) {
     at.error("must have a text in the lesson's own language, " + excerpt(languages.own));
-  } else if (auto text = read_text(*own)) {
+  } else if (auto text = own ? read_text(*own) : std::nullopt) {
     local = LocalText(*std::move(text));
   }
   for (std::size_t i = 0; i < at.size(); ++i) {
     const std::string& name = at.json().keys[i];
     if (name == languages.own || name == "$comment") continue;
     if (std::ranges::find(languages.others, name) == languages.others.end()) {
+      if (!languages.known) continue;
       at.key_error(i, is_language(name)
                           ? "the lesson is not in " + excerpt(name) + "; \"languages\" says which it is in"
                           : "must be a language such as \"en\" or \"de\", not " + excerpt(name));

@@ -43,6 +43,7 @@ class LocalText {
 struct Languages {
   std::string own = "en";
   std::vector<std::string> others;
+  bool known = true;  // false where the lesson's languages have mistakes: what a text lacks is not known
 };
 Languages read_languages(const Cursor& root);
 

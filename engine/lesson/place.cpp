@@ -1,13 +1,16 @@
 #include "lesson/place.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "algorithms/selector.hpp"
+#include "lesson/names.hpp"
 
 namespace blossom {
 namespace {
 
 constexpr int highest_step = 1'000'000'000;
+constexpr std::size_t most_labels = 8;  // of phases, told in a message
 
 std::string meant(const std::optional<std::string>& near) {
   return near ? "; did you mean " + excerpt(*near) + "?" : std::string();
@@ -32,6 +35,7 @@ std::optional<Place> read_object(const Cursor& at) {
       {"phase", Place::Kind::phase}, {"after", Place::Kind::after}, {"step", Place::Kind::step}};
   std::vector<std::string> keys;
   for (const auto& [key, kind] : kinds) keys.push_back(key);
+  const std::size_t mistakes = at.error_count();
   if (!at.expect_object(keys)) return std::nullopt;
   std::optional<Cursor> found;
   Place place;
@@ -45,6 +49,7 @@ std::optional<Place> read_object(const Cursor& at) {
     found = here;
     place.kind = kind;
   }
+  if (!found && at.errors_since(mistakes)) return std::nullopt;
   if (!found) {
     at.error(R"(must have one of "last", "every", "level", "phase", "after" and "step")");
     return std::nullopt;
@@ -151,6 +156,8 @@ std::vector<std::uint32_t> steps_of(const Place& place, const TraceGraph& trace)
         if (place.kind == Place::Kind::value) break;
       }
       if (place.kind == Place::Kind::last && steps.size() > 1) steps = {steps.back()};
+      // The start shows what is given; "every" is about what is made.
+      if (place.kind == Place::Kind::every && steps.size() > 1 && steps.front() == 0) steps.erase(steps.begin());
       break;
     }
   }
@@ -162,24 +169,70 @@ std::optional<std::uint32_t> step_of(const Place& place, const TraceGraph& trace
   return steps.empty() ? std::nullopt : std::optional(steps.front());
 }
 
-std::string why_nowhere(const Place& place, const TraceGraph& trace) {
-  if (place.kind == Place::Kind::level) return "no value of this run is of level " + std::to_string(place.step);
-  if (place.kind == Place::Kind::phase || place.kind == Place::Kind::after) {
-    const auto known = step_of({Place::Kind::phase, 0, place.text}, trace);
-    if (place.kind == Place::Kind::after && known)
-      return "nothing comes behind " + excerpt(place.text) + " in this run";
-    std::vector<std::string> labels;
-    for (std::uint32_t phase = 0; phase < trace.phases().size(); ++phase) {
-      labels.push_back(trace.phases()[phase].label());
-      labels.push_back(path_of(trace, phase));
-    }
-    return "no phase of this run is called " + excerpt(place.text) + meant(did_you_mean(place.text, labels)) +
-           (labels.empty() ? "; this algorithm runs in one piece" : "");
+namespace {
+
+std::string no_such_level(const Place& place, const TraceGraph& trace) {
+  int least = 0, most = -1;
+  for (ValueId v = 0; v < trace.value_count(); ++v) {
+    const Name& name = trace.value(v).name;
+    if (trace.is_input(v) || name.arity != 2) continue;
+    least = most < 0 ? name.index[0] : std::min(least, name.index[0]);
+    most = std::max(most, name.index[0]);
   }
-  if (place.kind == Place::Kind::step)
-    return "must be a whole number from 0 to " + std::to_string(trace.step_count() - 1) + ", not " +
-           std::to_string(place.step);
-  return "no value of this run is called " + excerpt(place.text) + meant(nearest_name(trace, place.text));
+  return "no value that this run makes is of level " + std::to_string(place.step) +
+         (most < 0 ? "; its values have no levels"
+                   : "; the levels are " + std::to_string(least) + " to " + std::to_string(most));
+}
+
+std::string no_such_phase(const Place& place, const TraceGraph& trace) {
+  if (place.kind == Place::Kind::after && step_of({Place::Kind::phase, 0, place.text}, trace))
+    return "nothing comes behind " + excerpt(place.text) + " in this run";
+  std::vector<std::string> labels, same;  // same: its name with a number
+  for (std::uint32_t phase = 0; phase < trace.phases().size(); ++phase) {
+    const std::string label = trace.phases()[phase].label();
+    const bool is_new = std::ranges::find(labels, label) == labels.end();
+    if (is_new && label.starts_with(place.text + "[")) same.push_back(label);
+    if (is_new) labels.push_back(label);
+  }
+  const std::string message = "no phase of this run is called " + excerpt(place.text);
+  if (labels.empty()) return message + "; this algorithm runs in one piece";
+  if (same.size() == 1) return message + "; there is " + excerpt(same[0]);
+  if (!same.empty()) return message + "; there are " + excerpt(same.front()) + " to " + excerpt(same.back());
+  std::vector<std::string> known = labels;
+  for (std::uint32_t phase = 0; phase < trace.phases().size(); ++phase) known.push_back(path_of(trace, phase));
+  if (const auto near = did_you_mean(place.text, known)) return message + meant(near);
+  std::string told = "; the phases are";
+  for (std::size_t i = 0; i < labels.size() && i < most_labels; ++i) told += (i == 0 ? " " : ", ") + excerpt(labels[i]);
+  return message + told + (labels.size() > most_labels ? ", ..." : "");
+}
+
+}  // namespace
+
+std::string why_nowhere(const Place& place, const TraceGraph& trace) {
+  switch (place.kind) {
+    case Place::Kind::level:
+      return no_such_level(place, trace);
+    case Place::Kind::phase:
+    case Place::Kind::after:
+      return no_such_phase(place, trace);
+    case Place::Kind::step:
+      return "must be a whole number from 0 to " + std::to_string(trace.step_count() - 1) + ", not " +
+             std::to_string(place.step);
+    default:
+      break;
+  }
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> other_words{{{"begin", "start"},
+                                                                                             {"beginning", "start"},
+                                                                                             {"first", "start"},
+                                                                                             {"last", "end"},
+                                                                                             {"finish", "end"},
+                                                                                             {"stop", "end"}}};
+  static constexpr std::array<std::string_view, 2> words{"start", "end"};
+  const std::string message = "no value of this run is called " + excerpt(place.text);
+  if (place.kind != Place::Kind::value) return message + meant_values(place.text, trace);
+  for (const auto& [word, is] : other_words)
+    if (did_you_mean(word, {place.text})) return message + "; did you mean " + excerpt(is) + "?";
+  return message + meant_values(place.text, trace, words);
 }
 
 std::vector<ValueId> selected_up_to(const std::vector<std::string>& selectors, std::uint32_t step,

@@ -22,6 +22,10 @@ std::size_t number_in(std::string_view text) {
   return number;
 }
 
+bool is_letter(char c) {
+  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+}
+
 class Reader {
  public:
   Reader(const ScannedProse& scanned, std::vector<ProseMistake>& mistakes) : scanned_(&scanned), mistakes_(&mistakes) {}
@@ -61,6 +65,14 @@ class Reader {
     return offset < scanned_->origin.size() ? scanned_->origin[offset] : last_origin_;
   }
 
+  // Whether a backslash stands before it in the Markdown.
+  bool is_escaped(std::string_view text) const {
+    const std::size_t at = static_cast<std::size_t>(text.data() - scanned_->markdown.data());
+    std::size_t backslashes = 0;
+    while (backslashes < at && scanned_->markdown[at - backslashes - 1] == '\\') ++backslashes;
+    return backslashes % 2 == 1;
+  }
+
   void enter(MD_BLOCKTYPE type, void* detail) {
     close();
     if (type == MD_BLOCK_UL) lists_.push_back({false, 0});
@@ -89,9 +101,16 @@ class Reader {
     else
       last_origin_ = origin(text);
     if (code_ || type == MD_TEXT_CODE) return add(Span::Kind::code, text);
-    // The scanner escapes every star that is no mark of emphasis, one by one.
-    if (const auto pair = text.find("**"); pair != std::string_view::npos)
-      mistakes_->push_back({origin(text.substr(pair)), "a ** has no partner; write \\*\\* for the signs"});
+    // The scanner escapes every star that is no mark of emphasis.
+    for (std::size_t i = text.find('*'); i != std::string_view::npos; i = text.find('*', i + 1)) {
+      if (is_escaped(text.substr(i))) continue;
+      const bool pair = text.substr(i).starts_with("**");
+      // One star, as in *[2] or C*, may be no more than that; before a word it begins emphasis.
+      if (!pair && (i + 1 == text.size() || !is_letter(text[i + 1]))) continue;
+      mistakes_->push_back({origin(text.substr(i)), pair ? "a ** has no partner; write \\*\\* for the signs"
+                                                         : "a * has no partner; write \\* for the sign"});
+      i += pair ? 1 : 0;
+    }
     while (!text.empty()) {
       const std::size_t begin = std::min(text.find(formula_begin), text.size());
       if (begin > 0) add(Span::Kind::text, text.substr(0, begin));
@@ -192,7 +211,7 @@ std::optional<std::size_t> open_brace(std::string_view say) {
   std::size_t code = 0;  // up to here a dollar sign is only one
   for (std::size_t i = 0; i < say.size(); ++i) {
     if (say[i] == '\\') {
-      if (i + 1 < say.size() && (say[i + 1] == '$' || say[i + 1] == '`' || say[i + 1] == '\\')) ++i;
+      if (i + 1 < say.size() && std::string_view("$`\\{}").find(say[i + 1]) != std::string_view::npos) ++i;
     } else if (say[i] == '`' && i >= code) {
       code = end_of_code(say, i).value_or(say.find_first_not_of('`', i));
     } else if (say[i] == '$' && i >= code) {

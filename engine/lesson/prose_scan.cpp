@@ -135,11 +135,9 @@ class Scanner {
   void inline_text() {
     switch (now()) {
       case '\\':
-        if (is_punctuation(peek(1)))
-          keep(), keep();
-        else
-          escape();
-        return;
+        if (is_punctuation(peek(1))) return keep(), keep();
+        if (is_letter(peek(1))) command();
+        return escape();
       case '`':
         return code();
       case '$':
@@ -177,6 +175,14 @@ class Scanner {
     }
   }
 
+  // TeX outside of a formula.
+  void command() {
+    std::size_t length = 1;
+    while (is_letter(peek(length))) ++length;
+    const std::string name = text_.substr(at_, std::min(length, most_words));
+    mistake(at_, name + " belongs between dollar signs: $" + name + "$; write \\\\ for a backslash");
+  }
+
   void code() {
     const std::size_t ticks = std::min(text_.find_first_not_of('`', at_), end_) - at_;
     const auto end = end_of_code(std::string_view(text_).substr(0, end_), at_);
@@ -199,6 +205,10 @@ class Scanner {
       return;
     }
     const std::size_t begin = at_ + signs;
+    // As in "it costs $5 and $6".
+    if (!display && (is_blank(text_[*end - 2]) || (*end < text_.size() && is_digit(text_[*end]))))
+      mistake(at_,
+              "a $ with a blank before it or a digit behind it ends no formula; write \\$ for the sign of the dollar");
     put(std::string(formula_begin) + std::to_string(out_.formulas.size()) + std::string(formula_end));
     out_.formulas.push_back({text_.substr(begin, *end - signs - begin), begin, display});
     at_ = *end;
@@ -260,9 +270,22 @@ class Scanner {
     return LinkPlace{close, end + 1, text_.substr(begin, end - begin)};
   }
 
+  // [words](https:... that does not end in its line.
+  bool is_open_link(std::size_t open) const {
+    const std::string_view rest = std::string_view(text_).substr(open, std::min(end_ - open, most_words));
+    const std::size_t close = rest.find("](");
+    if (closes_ != std::string::npos || close == std::string_view::npos) return false;
+    const std::string_view address = std::string_view(text_).substr(open + close + 2, end_ - open - close - 2);
+    return (address.starts_with("http") || address.starts_with("mailto:")) &&
+           address.find(')') == std::string_view::npos;
+  }
+
   void bracket(std::size_t open) {
     const auto link = link_at(open);
-    if (!link) return escape();
+    if (!link) {
+      if (is_open_link(open)) mistake(open, "the address of a link has no ) behind it in its line");
+      return escape();
+    }
     const bool safe = is_safe_address(link->address);
     if (!safe)
       mistake(link->closes + 2,

@@ -22,13 +22,27 @@ std::string problem_with(const Algorithm& algorithm, const Json& inputs) {
   return (first.path.empty() ? "" : first.path + ": ") + first.message;
 }
 
+// A slider that stands outside of its range at the beginning would jump at the first touch.
+void check_own(const Cursor& slider, Json inputs) {
+  const std::string& path = slider.optional("input")->json().text;
+  const Json* number = find_number(inputs, path);
+  const auto own = number != nullptr ? Exact::parse(number->text) : std::nullopt;
+  for (const char* end : {"from", "to"}) {
+    const Cursor at = *slider.optional(end);
+    const auto bound = Exact::parse(at.json().text);
+    if (own && bound && (end == std::string_view("from") ? *own < *bound : *bound < *own))
+      at.error("leaves out the lesson's own number, " + path + " = " + format_number(*own));
+  }
+}
+
 void check_scene(const Cursor& at) {
   const Algorithm* algorithm = find_algorithm(at.optional("algorithm")->json().text);
   const Json& inputs = at.optional("inputs")->json();
   const auto beats = at.optional("beats");
   for (std::size_t i = 0; i < beats->size(); ++i) {
     const auto sliders = (*beats)[i].optional("sliders");
-    for (std::size_t s = 0; sliders && s < sliders->size(); ++s)
+    for (std::size_t s = 0; sliders && s < sliders->size(); ++s) {
+      check_own((*sliders)[s], inputs);
       for (const char* end : {"from", "to"}) {
         const std::string& path = (*sliders)[s].optional("input")->json().text;
         const Cursor there = *(*sliders)[s].optional(end);
@@ -40,6 +54,7 @@ void check_scene(const Cursor& at) {
         if (const std::string problem = problem_with(*algorithm, moved); !problem.empty())
           there.error("with " + path + " = " + there.json().text + " the inputs are not valid: " + problem);
       }
+    }
   }
 }
 

@@ -58,24 +58,22 @@ struct StartingBeat {
 };
 
 std::string words_at(const Narrator<Exact>& narrator, std::uint32_t step, std::string_view wanted) {
-  for (const std::string_view text : {wanted, std::string_view("{chain}"), std::string_view("{name} = {value}")})
-    if (!text.empty() && can_be_said(text, narrator, step)) return std::string(text);
+  for (const std::string_view text : {wanted, std::string_view("{name} = {value}")})
+    if (can_be_said(text, narrator, step)) return std::string(text);
   return "Say here what happens at this step.";
 }
 
 // The start, the first value of each kind, the end.
 std::vector<StartingBeat> beats_of(const Narrator<Exact>& narrator) {
   const auto& trace = narrator.trace();
-  const Algorithm& algorithm = *narrator.run().algorithm;
   const std::uint32_t last = trace.step_count() - 1;
-  std::vector<StartingBeat> beats{{0, "start", words_at(narrator, 0, algorithm.given_narration)}};
+  std::vector<StartingBeat> beats{{0, "start", words_at(narrator, 0, narrator.text_template(0))}};
   std::set<const ValueSpec*> seen;
   const auto add = [&](ValueId v) {
     const std::uint32_t step = trace.value(v).step;
-    const ValueSpec* spec = narrator.algorithm_at(step).spec(trace.value(v).name);
     if (step >= last || std::ranges::any_of(beats, [&](const StartingBeat& b) { return b.step == step; })) return;
     beats.push_back(
-        {step, selector_of(trace, v), words_at(narrator, step, spec != nullptr ? spec->narration : ""), trace.name(v)});
+        {step, selector_of(trace, v), words_at(narrator, step, narrator.text_template(step)), trace.name(v)});
   };
   for (ValueId v = 0; v < trace.value_count() && beats.size() <= most_kinds; ++v) {
     if (trace.is_input(v)) continue;
@@ -220,7 +218,8 @@ std::string starting_lesson(const Algorithm& algorithm, const Json& inputs, cons
       parts.push_back(
           comment("The first step that makes a value of this name; * is any index. Also {\"last\": selector}, "
                   "{\"every\": selector}, {\"level\": r}, {\"phase\": label}, {\"after\": label}. In \"say\", "
-                  "{P[1][0]} is the value of that name, {name} and {value} are the step's own; **bold**, *emphasis*, "
+                  "{P[1][0]} is the value of that name, {name} and {value} are the step's own, as are the others that "
+                  "lessons/GUIDE.md lists; **bold**, *emphasis*, "
                   "lists and $formulas$ as in Markdown."));
     parts.emplace_back("at", json_string(beat.at));
     parts.emplace_back("say", json_string(beat.say));

@@ -139,7 +139,7 @@ TEST_CASE("trace as text tells each step once, numbers filled in") {
   for (const auto& entry : load_catalog("lessons").lessons) {
     const auto run = record<Exact>(*entry.lesson.algorithm, entry.lesson.inputs);
     REQUIRE(run);
-    const Narrator<Exact> narrator(*run);
+    const Narrator<Exact> narrator(*run, 6);  // digits, as in pictures
     const auto ended = blossom::test::blossom({"trace", entry.file.string(), "--exact"});
     INFO(entry.file);
     CHECK(ended.status == 0);

@@ -139,8 +139,45 @@ TEST_CASE("export --all writes each lesson of the course into a file of its own"
     CHECK(contains(read_all(course / ("site/" + name + ".md")), "Zwei Punkte."));
   }
   CHECK(files_in(course / "site") == expected);
+  CHECK(contains(ended.out, "8 of 12 steps are not told in de"));  // without a beat
   // In the order of the course, whichever was done first.
   CHECK(ended.out.find("01-tiny-1.json") < ended.out.find("02-tiny-2.json"));
+}
+
+TEST_CASE("export --all writes a list of the pages") {
+  const Course course(2);
+  course.write("lessons/03-last.json",
+               R"({"schema": "blossom.lesson/1", "id": "last", "title": "The last", "unit": "An end",
+  "prerequisites": ["tiny-1"], "algorithm": "de_casteljau", "minutes": 7,
+  "inputs": {"curve": {"degree": 1, "points": [[0, 0], [3, 1]]}, "u": "1/3"}, "beats": [{"at": "start", "say": "Two points."}]})");
+  const auto ended = exported({"--all", "--to", "html", "--out", "site"}, {.folder = course.path()});
+  SHOW(ended);
+  CHECK(ended.status == 0);
+  CHECK(files_in(course / "site") ==
+        std::set<std::string>{"01-tiny-1.html", "02-tiny-2.html", "03-last.html", "index.html"});
+  const std::string list = read_all(course / "site/index.html");
+  CHECK(contains(list, "<a href=\"02-tiny-2.html\">02 A segment</a>"));
+  CHECK(contains(list, "<h2>An end</h2>"));
+  CHECK(contains(list, "about 7 minutes"));
+  for (const std::string file : {"index", "03-last"})
+    CHECK(contains(read_all(course / ("site/" + file + ".html")), "<a href=\"01-tiny-1.html\">01 A segment</a>"));
+  CHECK(contains(ended.out, "index.html"));
+}
+
+TEST_CASE("export --all says which lessons are not in a language, and refuses one that none is in") {
+  const Course course(1);
+  course.write("lessons/02-english.json",
+               R"({"schema": "blossom.lesson/1", "id": "english", "title": "English", "algorithm": "de_casteljau",
+  "inputs": {"curve": {"degree": 1, "points": [[0, 0], [3, 1]]}, "u": "1/3"}, "beats": [{"at": "start", "say": "Two points."}]})");
+  const auto some = exported({"--all", "--to", "md", "--out", "site", "--language", "de"}, {.folder = course.path()});
+  SHOW(some);
+  CHECK(some.status == 0);
+  CHECK(contains(some.out, "1 of 2 lessons are not in de"));
+  const auto none = exported({"--all", "--to", "md", "--out", "none", "--language", "xx"}, {.folder = course.path()});
+  SHOW(none);
+  CHECK(none.status == 2);
+  CHECK(contains(none.err, "de, en"));
+  CHECK_FALSE(fs::exists(course / "none"));
 }
 
 TEST_CASE("A mistake in a lesson is told before any of the course is written") {
@@ -177,6 +214,13 @@ TEST_CASE("export says every wrong option at once, and what would be right") {
       {{"22", "--to", "json", "--out", "/dev/null"}, "device"},
       {{"22", "--to", "json", "--steps", "1.5"}, "--steps"},
       {{"22", "--to", "json", "--progress", "loud"}, "--progress"},
+      {{"22", "--to", "html", "--fps", "10"}, "html has no use for it"},
+      {{"22", "--to", "html", "--per-page", "4"}, "--per-page: is for handouts (pdf)"},
+      {{"22", "--to", "pdf,html", "--size", "800x600"}, "--size"},
+      {{"22", "--to", "svg", "--scale", "2"}, "--scale"},
+      {{"22", "--to", "json", "--out", "-"}, "terminal"},
+      {{"22", "--to", "png", "--out", scratch / "x.html"}, "a file's name"},
+      {{"22", "--to", "pdf,html", "--out", scratch / "x.html"}, "a file's name"},
       {{"22", "--to", "json", "--scene", "5"}, "--scene"}};
   for (const auto& [arguments, words] : cases) {
     const auto ended = exported(arguments, {.folder = scratch.path()});

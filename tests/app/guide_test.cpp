@@ -79,7 +79,9 @@ TEST_CASE("the instructor's guide: its files are in order", "[app][guide]") {
       INFO(block.text << to_string(document.diagnostics));
       REQUIRE(document);
       if (document->root().find("schema") == nullptr) continue;  // of an editor
-      // Beside the shipped lessons, so that the lessons it names as prerequisites are found.
+      // Beside the page's other files, which an assignment names; prerequisites are found among the shipped lessons.
+      for (const Block& other : blocks_of(guide()))
+        if (!other.name.empty()) scratch.write(other.name, other.text);
       const auto linted = blossom::test::blossom({"lint", scratch.write(block.name, block.text)});
       SHOW(linted);
       CHECK(linted.status == 0);

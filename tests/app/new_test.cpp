@@ -101,6 +101,38 @@ TEST_CASE("without --out the file is named after the algorithm; - is standard ou
   CHECK(shown.out.starts_with("{\n  \"$comment\": "));
 }
 
+TEST_CASE("the id that new gives is made of the file's name, in letters that an id may have") {
+  const Scratch scratch;
+  for (const auto& [name, id] : std::vector<std::pair<std::string, std::string>>{
+           {"Übung 1.json", "uebung-1"}, {"07-Élève_ß.json", "eleve-ss"}, {"曲線.json", "my-lesson"}}) {
+    const std::string file = scratch / name;
+    CHECK(blossom::test::blossom({"new", "lesson", "--algorithm", "ruled", "--out", file}).status == 0);
+    CHECK(contains(read_all(file), "\"id\": \"" + id + "\""));
+  }
+}
+
+// ---- describe -------------------------------------------------------------------------------------------------------
+
+TEST_CASE("describe tells the inputs, names, phases, asks and misconceptions of every algorithm") {
+  for (const Algorithm* algorithm : algorithms()) {
+    const auto ended = blossom::test::blossom({"describe", std::string(algorithm->id)});
+    SHOW(ended);
+    CHECK(ended.status == 0);
+    CHECK(ended.err.empty());
+    for (const InputSpec& input : algorithm->inputs)
+      CHECK(contains(ended.out, "\n  \"" + std::string(input.name) + "\": "));
+    for (const std::string_view ask : algorithm->asks) CHECK(contains(ended.out, "\"" + std::string(ask) + "\""));
+    for (const Misconception& known : algorithm->misconceptions)
+      CHECK(contains(ended.out, "\n  " + std::string(known.id) + ": "));
+  }
+  const auto ended = blossom::test::blossom({"describe", "de_casteljau"});
+  CHECK(contains(ended.out, "\n  P[0][0..3], P[1][0..2], P[2][0..1], P[3][0]: the point i of level r"));
+  CHECK(contains(ended.out, "such as P[1][0] = (1 - u) P[0][0] + u P[0][1] = "));
+  const auto mistyped = blossom::test::blossom({"describe", "de_bor"});
+  CHECK(mistyped.status == 2);
+  CHECK(contains(mistyped.err, "did you mean \"de_boor\"?"));
+}
+
 TEST_CASE("what new cannot make is wrong usage, with what may be meant") {
   const auto mistyped = blossom::test::blossom({"new", "lesson", "--algorithm", "de_bor"});
   SHOW(mistyped);
@@ -177,7 +209,7 @@ TEST_CASE("lint finds what is wrong between the files of a course, in the order 
   const auto ended = blossom::test::blossom({"lint", scratch / "lessons"});
   SHOW(ended);
   CHECK(ended.status == 1);
-  CHECK(ended.out == "0 files are in order, 6 mistakes in the others\n");
+  CHECK(ended.out == "6 mistakes in 4 files\n");
   const std::string folder = scratch / "lessons/";
   const std::vector<std::string> told{
       folder +
@@ -233,4 +265,48 @@ TEST_CASE("lint says the same in the same order however often it is asked") {
     CHECK(again.out == once.out);
     CHECK(again.err == once.err);
   }
+}
+
+TEST_CASE("lint of no files checks one's own where there is no course") {
+  const Scratch scratch;
+  scratch.write("mine.json", small_lesson("mine"));
+  scratch.write("other.json", R"({"name": "package", "version": 1})");
+  const auto ended = in_folder(scratch.path(), {"lint"});
+  SHOW(ended);
+  CHECK(ended.status == 0);
+  CHECK(ended.out == "1 file is in order\n");
+  fs::create_directory(scratch / "lessons");
+  fs::create_directory(scratch / "exercises");
+  scratch.write("lessons/1.json", small_lesson("one"));
+  scratch.write("lessons/2.json", small_lesson("one"));
+  scratch.write("exercises/1.json", R"({"schema": "blossom.exercise/1"})");
+  const auto course = in_folder(scratch.path(), {"lint", "lessons"});
+  SHOW(course);
+  CHECK(course.out == "1 file is in order, 1 mistake in 1 other\n");
+  CHECK(contains(course.err, "2.json:1:38: id: \"one\" is the id of lessons/1.json already"));
+}
+
+TEST_CASE("lint tells the mistakes of an exercise once, also where its assignment is checked, too") {
+  const Scratch scratch;
+  scratch.write("own.json", R"({"schema": "blossom.exercise/1", "id": "own", "title": "T", "prompt": "# P",
+"algorithm": "de_casteljau", "inputs": {"curve": {"degree": 1, "points": [[0, 0], [2, 4]]}, "u": "1/4"},
+"ask": [{"value": "D", "points": 1}]})");
+  scratch.write("course.json", R"({"schema": "blossom.assignment/1", "id": "a", "title": "T",
+"exercises": [{"file": "own.json", "points": 10}]})");
+  const auto ended = in_folder(scratch.path(), {"lint", "own.json", "course.json"});
+  SHOW(ended);
+  CHECK(contains(ended.err, "own.json:1:71: prompt: there are no headings here"));
+  CHECK(contains(ended.out, ", 2 mistakes in 1 other\n"));
+  CHECK(contains(in_folder(scratch.path(), {"lint", "course.json"}).out, "2 mistakes in 1 file\n"));
+}
+
+TEST_CASE("trace says which scene of a lesson it shows, and that there are others") {
+  const Scratch scratch;
+  const std::string scene = R"("title": "T", "algorithm": "de_casteljau",
+"inputs": {"curve": {"degree": 1, "points": [[0, 0], [2, 4]]}, "u": "1/4"}, "beats": [{"at": "C", "say": "{C}"}]})";
+  const auto file = scratch.write(
+      "two.json", R"({"schema": "blossom.lesson/1", "id": "two", "title": "Two", "scenes": [{"id": "one", )" + scene +
+                      R"(, {"id": "other", )" + scene + "]}");
+  CHECK(contains(blossom::test::blossom({"trace", file, "--scene", "other"}).out,
+                 "Scene 2 of 2: T. --scene NUMBER shows another: 1 (one), 2 (other)\n"));
 }

@@ -1,8 +1,6 @@
 // A student's page in a browser: what `blossom-grade` writes, opened, clicked through and compared with itself.
 
-#include <regex>
-
-#include "app/program.hpp"
+#include "browser.hpp"
 
 using namespace blossom::test;
 
@@ -73,19 +71,6 @@ report.textContent = `steps ${rows.length} checks ${checks}\n` + found.join("\n"
 document.body.append(report);
 )js";
 
-std::string chromium() {
-  for (const char* path : {"/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"})
-    if (fs::exists(path)) return path;
-  return {};
-}
-
-std::string between(const std::string& text, const std::string& begin, const std::string& end) {
-  const std::size_t from = text.find(begin);
-  if (from == std::string::npos) return {};
-  const std::size_t to = text.find(end, from + begin.size());
-  return to == std::string::npos ? std::string() : text.substr(from + begin.size(), to - from - begin.size());
-}
-
 }  // namespace
 
 TEST_CASE("in a browser, each step shows what the document says of it", "[app][page]") {
@@ -107,13 +92,8 @@ TEST_CASE("in a browser, each step shows what the document says of it", "[app][p
   REQUIRE(contains(graded.out, "</body>"));
   std::string page = graded.out;
   page.insert(page.rfind("</body>"), "<script>" + std::string(probe) + "</script>");
-  const std::string file = scratch.write("page.html", page);
 
-  const auto shown =
-      run_program(browser, {"--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-                            "--disable-background-networking", "--disable-component-update", "--disable-sync",
-                            "--user-data-dir=" + (scratch / "profile"), "--window-size=" + window,
-                            "--virtual-time-budget=5000", "--dump-dom", "file://" + file});
+  const Ended shown = browse(browser, page, window);
   const std::string findings = between(shown.out, "<pre id=\"findings\">", "</pre>");
   CAPTURE(exercise, window, findings, shown.err);
   std::smatch numbers;

@@ -61,7 +61,7 @@ TEST_CASE("variant makes a whole class's exercises and a sheet to print") {
   const auto made = variant({exercise, "--roster", roster, "--secret-file", secret, "--out", out});
   SHOW(made);
   REQUIRE(made.status == 0);
-  CHECK(made.out.empty());
+  CHECK(made.out == "2 students, 2 different variants\n");
   CHECK(made.err.empty());
   const auto names = files_in(out);
   REQUIRE(names.size() == 3);
@@ -83,6 +83,8 @@ TEST_CASE("variant makes a whole class's exercises and a sheet to print") {
   CHECK(count_of(sheet, "&quot;exercise&quot;: &quot;own-rational&quot;") == 2);
   CHECK(count_of(sheet, "<div class=\"room\">") == 2);
 
+  CHECK(count_of(sheet, "Nobody else in your class has these numbers.") == 2);
+
   SECTION("and the solutions, on sheets of their own") {
     const auto again = variant({exercise, "--roster", roster, "--secret-file", secret, "--out", out, "--answers"});
     SHOW(again);
@@ -93,6 +95,48 @@ TEST_CASE("variant makes a whole class's exercises and a sheet to print") {
     CHECK(count_of(solutions, "<section class=\"sheet\">") == 2);
     CHECK_FALSE(contains(solutions, "<td></td><td></td>"));
   }
+}
+
+TEST_CASE("a sheet claims no more of its numbers than is true of the class") {
+  const Scratch scratch;
+  const auto secret = scratch.write("secret", "correct horse battery");
+  const auto roster = scratch.write("roster.csv", "id\na\nb\nc\nd\ne\n");
+  const auto sheet_of = [&](const std::string& choose, const std::string& says) {
+    const auto file = scratch.write("x.json",
+                                    R"({"schema": "blossom.exercise/1", "id": "x", "title": "X", "prompt": "u = {u}",
+          "algorithm": "de_casteljau", "inputs": {"curve": {"degree": 1, "points": [[0, 0], [30, 60]]}, "u": "1/4"},
+          "ask": [{"value": "P[1][0]", "points": 1}], "vary": {"inputs": [{"at": "u", "choose": )" +
+                                        choose + "}]}}");
+    const auto made = variant({file, "--roster", roster, "--secret-file", secret, "--out", scratch / "own"});
+    SHOW(made);
+    CHECK(made.status == 0);
+    CHECK(contains(made.out, says));
+    return read_all(fs::path(scratch / "own") / "sheet.html");
+  };
+  const std::string alike = sheet_of(R"(["1/4"])", "5 students, 1 different variant: some have the same numbers");
+  CHECK_FALSE(contains(alike, "in your class"));
+  const std::string two = sheet_of(R"(["1/4", "1/3"])", "5 students, 2 different variants: some have the same numbers");
+  CHECK(count_of(two, "Others in your class have other numbers.") + count_of(two, "Nobody else in your class") == 5);
+  CHECK(count_of(two, "Nobody else in your class") < 2);
+}
+
+TEST_CASE("a sheet has points as points, and a surface's knots under their own letters") {
+  const Scratch scratch;
+  const auto secret = scratch.write("secret", "correct horse battery");
+  const auto roster = scratch.write("roster.csv", "id\ns17\n");
+  const auto sheet_of = [&](const std::string& name) {
+    const std::string out = scratch / name;
+    CHECK(variant({"exercises/" + name + ".json", "--roster", roster, "--secret-file", secret, "--out", out}).status ==
+          0);
+    return read_all(fs::path(out) / "sheet.html");
+  };
+  for (const char* name : {"71-own-interpolation", "75-own-surface-least-squares", "13-own-variation"}) {
+    const std::string sheet = sheet_of(name);
+    CHECK(contains(sheet, "<span class=\"whole\">("));
+    CHECK_FALSE(contains(sheet, "[["));
+    CHECK_FALSE(contains(sheet, "[&quot;"));
+  }
+  CHECK(contains(sheet_of("52-own-knot-in-a-surface"), "<i>v</i><sub>0</sub>"));
 }
 
 TEST_CASE("variant says what is wrong with what it is given") {

@@ -22,7 +22,7 @@ std::string said(const std::string& text, Read&& read) {
 
 TEST_CASE("a reader gets what it asks for, and nothing is said") {
   const std::string text =
-      R"({"n": -2.5, "f": "2/5", "i": 7, "whole": "14/2", "s": "x", "b": false, "a": [[1, 2], [3, 4]]})";
+      R"({"n": -2.5, "f": "2/5", "i": 7, "whole": 7.0, "s": "x", "b": false, "a": [[1, 2], [3, 4]]})";
   CHECK(said(text, [](const Cursor& at) {
           CHECK(at.expect_object({"n", "f", "i", "whole", "s", "b", "a", "absent"}));
           CHECK(at.required("n")->number() == Exact::ratio(-5, 2));
@@ -80,6 +80,7 @@ TEST_CASE("whole numbers: the range is said as a person would") {
     return said(text, [&](const Cursor& at) { CHECK_FALSE(at.integer(least, most).has_value()); });
   };
   CHECK(says("2.5", INT_MIN, INT_MAX) == "f:1:1: must be a whole number, not 2.5\n");
+  CHECK(says("\"14/2\"", 1, 25) == "f:1:1: is a count, and stands without quotation marks: 7\n");
   CHECK(says("-1", 0, INT_MAX) == "f:1:1: must be a whole number, at least 0, not -1\n");
   CHECK(says("1e300", INT_MIN, 9) == "f:1:1: must be a whole number, at most 9, not 1e300\n");
   CHECK(says("[]", 3, 3) == "f:1:1: must be the number 3, not an array\n");

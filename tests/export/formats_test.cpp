@@ -8,6 +8,7 @@
 #include "algorithms/trace_json.hpp"
 #include "export/export_encoder.hpp"
 #include "export/export_film.hpp"
+#include "export/html_course.hpp"
 #include "export/short_lesson.hpp"
 #include "render/picture.hpp"
 #include "scratch.hpp"
@@ -201,9 +202,11 @@ TEST_CASE("Markdown has every step's words, and its pictures are there") {
   const std::string text = contents_of(scratch.path())["my lesson.md"];
   std::size_t at = 0;
   for (const StoryStep& step : story.scenes[0].steps) {
-    at = text.find(prose_markdown(step.prose), at);
+    at = text.find("### Step " + std::to_string(step.step) + "\n", at);
     REQUIRE(at != std::string::npos);
   }
+  CHECK(text.find("Walk 1/4 of the way along the first leg: that is **(1/2, 1)**.") != std::string::npos);
+  CHECK(text.find("> P₀⁽¹⁾ = ") != std::string::npos);
   for (std::size_t i = 1; i < exported->files.size(); ++i) {
     const std::string name = exported->files[i].filename().string();
     CHECK(text.find("](my%20lesson-files/" + name + ")") != std::string::npos);
@@ -217,6 +220,99 @@ TEST_CASE("Markdown has every step's words, and its pictures are there") {
   without.checkpoints = false;
   REQUIRE(find_lesson_format("md")->write(story, scratch / "b.md", without));
   CHECK(contents_of(scratch.path())["b.md"].find("<details>") == std::string::npos);
+}
+
+TEST_CASE("The words around a lesson are in its language in every format") {
+  std::string lesson = short_lesson;
+  lesson.insert(lesson.find("\"unit\""), "\"language\": \"de\", \"prerequisites\": [\"before\"], ");
+  const Story story = story_of(lesson);
+  CHECK(story.foreign_count() == story.step_count() - story.scenes[0].beats.size());
+  const std::map<std::string, std::pair<std::vector<std::string>, std::vector<std::string>>> words{
+      {"md",
+       {{"### Schritt 1", "**Vorher**", "**Frage.**", "<summary>Antwort", "Zeile 3"}, {"Step", "Question", "Answer"}}},
+      {"tex",
+       {{"Schritt 1}", "Dauer:", "Vorher:", "{Frage}", "{Antworten}", "Zeile 3"}, {"Step ", "Question.", "line 3"}}},
+      {"svg", {{"Schritt 1 / 4", "Dieser Schritt", "Polarform"}, {"step 1", "This step", "blossom value"}}}};
+  for (const auto& [format, said] : words) {
+    INFO(format);
+    const Scratch scratch;
+    REQUIRE(
+        find_lesson_format(format)->write(story, place(*find_lesson_format(format), scratch.path()), small_pages()));
+    std::string all;
+    for (const auto& [name, bytes] : contents_of(scratch.path())) all += bytes;
+    for (const std::string& word : said.first) {
+      INFO(word);
+      CHECK(all.find(word) != std::string::npos);
+    }
+    for (const std::string& word : said.second) {
+      INFO(word);
+      CHECK(all.find(word) == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("What a lesson calls by its id is called by its title where a file has it") {
+  const Scratch scratch;
+  fs::create_directories(scratch / "lessons");
+  fs::create_directories(scratch / "exercises");
+  const std::string file = scratch.write(
+      "lessons/03-short.json",
+      std::string(short_lesson).insert(1, R"("prerequisites": ["first", "other", "none"], "exercises": ["e"],)"));
+  scratch.write("lessons/01-first.json", R"({"schema": "blossom.lesson/1", "id": "first", "languages": ["de"],
+      "title": {"en": "The first", "de": "Die erste"}})");
+  scratch.write("exercises/07-e.json", R"({"schema": "blossom.exercise/1", "id": "e", "title": "An exercise"})");
+  fs::create_directories(scratch / "course");
+  scratch.write("course/02-other.json", R"({"schema": "blossom.lesson/1", "id": "other", "title": "Another"})");
+
+  const CourseTitles titles(file, {scratch / "course", scratch / "nowhere"}, true);
+  CHECK(titles.lesson("first", "").words() == "01 The first");
+  CHECK(titles.lesson("first", "de").words() == "01 Die erste");
+  CHECK(titles.lesson("first", "").page == "01-first");
+  CHECK(titles.lesson("other", "").words() == "02 Another");
+  CHECK(titles.lesson("other", "").page.empty());  // its page would not stand beside this one
+  CHECK(titles.lesson("none", "").words() == "none");
+  CHECK(titles.exercise("e", "").words() == "07 An exercise");
+
+  StoryOptions options;
+  options.titles = &titles;
+  const auto document = JsonDocument::load(file);
+  REQUIRE(document);
+  const auto lesson = load_lesson(*document);
+  INFO(to_string(lesson.diagnostics));
+  REQUIRE(lesson);
+  const auto story = make_story(*lesson, options);
+  REQUIRE(story);
+  REQUIRE(find_lesson_format("md")->write(*story, scratch / "out/a.md", small_pages()));
+  REQUIRE(find_lesson_format("html")->write(*story, scratch / "out/a.html", small_pages()));
+  const std::string text = contents_of(scratch / "out")["a.md"], page = contents_of(scratch / "out")["a.html"];
+  CHECK(text.find("- [01 The first](01-first.md)\n- 02 Another\n- none\n") != std::string::npos);
+  CHECK(page.find("<li><a href=\"01-first.html\">01 The first</a></li>\n<li>02 Another</li>") != std::string::npos);
+  CHECK(page.find("<a href=\"index.html\">") != std::string::npos);
+}
+
+TEST_CASE("A course's list has its lessons by units, and lets nothing run") {
+  Story story = story_of(short_lesson);
+  story.prerequisites = {{"a", "01", "Before <it>", "01-a"}, {"b", "", "", ""}};
+  CoursePage other = course_page(story, "02-other");
+  other.unit = "Other";
+  const std::string html = html_course({course_page(story, "01-short"), other, course_page(story, "x y")}, "dark");
+  CHECK(html.starts_with("<!DOCTYPE html>\n<html lang=\"en\" data-theme=\"dark\">"));
+  CHECK(html.find("default-src 'none'") != std::string::npos);
+  CHECK(html.find("script-src 'none'") != std::string::npos);
+  CHECK(html.find("<script") == std::string::npos);
+  CHECK(html.find("http:") == std::string::npos);
+  const auto place_of = [&](const std::string& words) {
+    INFO(words);
+    REQUIRE(html.find(words) != std::string::npos);
+    return html.find(words);
+  };
+  CHECK(place_of("<h2>Bézier curves</h2>") <
+        place_of("<a href=\"01-short.html\">01 A point on a parabola &amp; more</a>"));
+  CHECK(place_of("<a href=\"x%20y.html\">") < place_of("<h2>Other</h2>"));
+  CHECK(place_of("<h2>Other</h2>") < place_of("<a href=\"02-other.html\">"));
+  place_of("<p>Three points, two divisions, one point.</p>");
+  place_of("about 5 minutes, " + std::to_string(story.step_count()) + " steps");
+  place_of("<a href=\"01-a.html\">01 Before &lt;it&gt;</a>; b");
 }
 
 TEST_CASE("A film has the pictures and the length that the lesson asks for, and even sides") {
@@ -244,7 +340,10 @@ TEST_CASE("A film has the pictures and the length that the lesson asks for, and 
           Approx(static_cast<double>(frames_of(*shots)) / fps).margin(0.06));
     CHECK(probe(exported->files[0], "stream=width,height") == (id == "gif" ? "641\n481" : "642\n482"));
     if (id != "gif") CHECK(probe(exported->files[0], "stream=pix_fmt") == "yuv420p");
-    REQUIRE(exported->notes.size() == 1);  // of the question
+    // Of the sides that were made even.
+    CHECK(exported->notes ==
+          (id == "gif" ? std::vector<std::string>{}
+                       : std::vector<std::string>{"the film is 642x482 pixels large, for its sides must be even"}));
   }
 }
 
@@ -253,8 +352,15 @@ TEST_CASE("A picture of a film stays while its words are read and its beat pause
   const StoryScene& scene = story.scenes[0];
   const auto shots = film_shots(story, small_pages(), 10);
   REQUIRE(shots);
-  std::map<std::uint32_t, double> seconds, moving;
+  std::map<std::uint32_t, double> seconds, moving, gliding;
+  std::vector<FilmShot::Card> cards;
   for (const FilmShot& shot : *shots) {
+    gliding[shot.step->step] += shot.glide < 1 ? 1 : 0;
+    if (shot.card != FilmShot::Card::none) {
+      CHECK(shot.step->question);
+      cards.push_back(shot.card);
+      continue;
+    }
     seconds[shot.step->step] += static_cast<double>(shot.frames) / 10;
     moving[shot.step->step] += shot.motion < 1 ? 1 : 0;
   }
@@ -262,6 +368,7 @@ TEST_CASE("A picture of a film stays while its words are read and its beat pause
     INFO(step.step);
     double expected = reading_seconds(plain_text(step.prose)) + (step.beat != nullptr ? step.beat->seconds : 0);
     if (step.step == scene.recording->last()) expected += 1.5;
+    CHECK((gliding[step.step] > 0) == scene.glides(step.step));
     CHECK(seconds[step.step] == Approx(expected).margin(0.11));
     const ValueId v = scene.source().graph->main_value(step.step);
     const bool divides = v != absent && !scene.recording->graph().is_input(v) &&
@@ -269,6 +376,13 @@ TEST_CASE("A picture of a film stays while its words are read and its beat pause
     CHECK((moving[step.step] > 0) == divides);
   }
   CHECK(seconds.size() == scene.steps.size());
+  CHECK(cards == std::vector{FilmShot::Card::question, FilmShot::Card::answer});
+  CHECK(std::ranges::any_of(gliding, [](const auto& step) { return step.second > 0; }));
+  LessonExportOptions unasked = small_pages();
+  unasked.checkpoints = false;
+  const auto without = film_shots(story, unasked, 10);
+  REQUIRE(without);
+  CHECK(without->size() == shots->size() - 2);
   CHECK(reading_seconds("Short.") < reading_seconds(std::string(200, 'x')));
 }
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "export/latex_text.hpp"
+#include "export/paper_view.hpp"
 #include "export/short_lesson.hpp"
 #include "export/tikz_canvas.hpp"
 #include "render/rich_text.hpp"
@@ -124,13 +125,14 @@ TEST_CASE("a handout has as many steps on a page as is asked for", "[export][pap
     INFO("per page: " << per_page);
     const int pages = pages_of(exported("pdf", story, scratch.path(), per_page), scratch.path());
     CHECK(pages >= steps / per_page);
-    CHECK(pages <= steps / per_page + 3);  // the head takes room of the first one
+    CHECK(pages <=
+          steps / per_page + 4);  // the head takes room of the first one, and the answers have one of their own
     CHECK(pages <= before);  // not always fewer: questions and long words take room, however small the pictures are
     before = pages;
   }
 }
 
-TEST_CASE("a handout asks its lesson's questions, with room for answers, and tells no answers", "[export][paper]") {
+TEST_CASE("a handout asks its lesson's questions, with room for answers, which are its last page", "[export][paper]") {
   if (!is_installed("pdftotext")) return;
   const Scratch scratch;
   const std::string text = text_of(exported("pdf", story_of(short_lesson), scratch.path()), scratch.path());
@@ -139,6 +141,50 @@ TEST_CASE("a handout asks its lesson's questions, with room for answers, and tel
   CHECK(text.find("the second leg") != std::string::npos);
   CHECK(text.find("Name") != std::string::npos);
   CHECK(text.find("There is another leg.") == std::string::npos);
+  const std::size_t answers = text.find("Answers");
+  REQUIRE(answers != std::string::npos);
+  CHECK(text[answers - 1] == '\f');  // a page of their own
+  CHECK(text.find("the second leg", answers) != std::string::npos);
+}
+
+TEST_CASE("on paper a step that tells what was asked does not stand beside the question", "[export][paper]") {
+  if (!is_installed("pdftotext")) return;
+  const Scratch scratch;
+  const Story story = shipped("22-de-boor.json");
+  for (const int per_page : {2, 4, 6}) {
+    INFO("per page: " << per_page);
+    std::string text = text_of(exported("pdf", story, scratch.path(), per_page), scratch.path());
+    const std::size_t answers = text.find("\fAnswers");
+    REQUIRE(answers != std::string::npos);
+    for (std::size_t at = 0; at < answers;) {
+      const std::size_t end = text.find('\f', at);
+      const std::string page = text.substr(at, end - at);
+      at = end + 1;
+      // Its first step asks for the span, and the next one has it.
+      if (page.find("Index of the knot span:") != std::string::npos) CHECK(page.find("k = 4") == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("letters on paper can be read", "[export][paper]") {
+  const Story story = shipped("22-de-boor.json");
+  const StoryScene& scene = story.scenes[0];
+  View view = scene.picture(8, 500, 300);
+  enlarge_letters(view, light_theme(), {12, 16});
+  View knots = knots_view(scene, 8, 500, true);
+  CHECK(knots.height > 100);
+  CHECK(knots_view(shipped("11-de-casteljau.json").scenes[0], 1, 500, false).height == 0);
+  REQUIRE_FALSE(view.labels.empty());
+  for (const Label& label : view.labels)
+    CHECK(label.size_scale * light_theme()[label.role].text_size >=
+          (label.role == Role::text_quiet && label.placement != Label::Placement::around ? 12 : 16));
+}
+
+TEST_CASE("in LaTeX a name that stands for two values has its phase", "[export][paper]") {
+  const Scratch scratch;
+  const std::string text = file_bytes(exported("tex", shipped("50-point-on-a-surface.json"), scratch.path()));
+  CHECK(text.find("\\blossomformula{P_{2} = P_{2} ") == std::string::npos);
+  CHECK(text.find("\\begin{blossomquestion}") != std::string::npos);
 }
 
 TEST_CASE("words without end go on on the next pages of a handout, to the last one", "[export][paper]") {
@@ -185,7 +231,7 @@ TEST_CASE("whatever a lesson's texts hold, its LaTeX document compiles and shows
   Story story = story_of(short_lesson);
   story.title = "100% of $x_1 & \\evil{#} ~ ^ < | > \" -- \\end{document}";
   story.unit = "ä ß Ł đ ą „q“ «q» α ≤ √2 中文 \u200B ₃ ⁽²⁾ …";
-  story.exercises = {"a_b%", "}{"};
+  story.exercises = {{"a_b%", "", "", ""}, {"}{", "}{", "&_", ""}};
   story.scenes[0].heading = "\\input{/etc/passwd} %";
   story.scenes[0].steps[0].phase = "A_1 › B & C";
   require_compiles(exported("tex", story, scratch.path()), scratch.path());

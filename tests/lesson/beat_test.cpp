@@ -34,7 +34,8 @@ TEST_CASE("what is said at every step of a kind must fit each of them, and is to
   CHECK(mistakes(beat("{\"every\": \"P[1][*]\"}", "{P[1][1]}")) ==
         "lesson.json:3:47: beats[0].say: \"{P[1][1]}\" names nothing at step 1: it is made at step 2\n");
   CHECK(mistakes(beat("{\"every\": \"Q[*]\"}")) ==
-        "lesson.json:3:28: beats[0].at.every: no value of this run is called \"Q[*]\"\n");
+        "lesson.json:3:28: beats[0].at.every: no value of this run is called \"Q[*]\"; the values of this run are u, "
+        "P[0][0..2], P[1][0..1], P[2][0], C\n");
 }
 
 TEST_CASE("words are in a small part of Markdown, and what is not is told") {
@@ -42,7 +43,8 @@ TEST_CASE("words are in a small part of Markdown, and what is not is told") {
   CHECK_THAT(mistakes(beat("\"start\"", "# A heading")),
              Catch::StartsWith("lesson.json:3:34: beats[0].say: there are no headings here"));
   CHECK_THAT(mistakes(beat("\"start\"", "A $ formula that $\\\\unknowncommand{1}$")),
-             Catch::StartsWith("lesson.json:3:34: beats[0].say: a $ has no partner in its paragraph"));
+             Catch::StartsWith(
+                 "lesson.json:3:34: beats[0].say: a $ with a blank before it or a digit behind it ends no formula"));
 }
 
 TEST_CASE("pauses, cameras and sliders are read as they are written") {
@@ -85,12 +87,13 @@ TEST_CASE("every mistake in what a beat does, each at its line and column") {
 {"input": "curve", "from": 0, "to": 1},
 {"input": "curve..degree", "from": 1, "to": 1, "step": 3, "label": " "}])") +
                  ",\n" + beat_with("\"end\"", R"("pause": 61, "sliders": [])")) ==
-        "lesson.json:4:10: beats[0].pause: must be \"wait\" or a number of seconds up to 60\n"
-        "lesson.json:5:20: beats[0].camera.fit[0]: no value of this run is called \"Q[*]\"\n"
+        "lesson.json:4:10: beats[0].pause: must be \"wait\" or a number of seconds above 0, up to 60\n"
+        "lesson.json:5:20: beats[0].camera.fit[0]: no value of this run is called \"Q[*]\"; the values of this run are "
+        "u, P[0][0..2], P[1][0..1], P[2][0], C\n"
         "lesson.json:5:29: beats[0].camera: unknown key \"azimut\"; did you mean \"azimuth\"?\n"
         "lesson.json:5:55: beats[0].camera.elevation: must be from -89 to 89\n"
         "lesson.json:5:67: beats[0].camera.zoom: must be a number or an exact string such as \"2/5\", not \"no\"\n"
-        "lesson.json:7:11: beats[0].sliders[0].input: the inputs have no \"v\", in \"v\"\n"
+        "lesson.json:7:11: beats[0].sliders[0].input: the inputs have no \"v\"; there is \"curve\", \"u\"\n"
         "lesson.json:8:11: beats[0].sliders[1].input: the inputs have no such place, in \"curve.points[3][0]\"\n"
         "lesson.json:9:11: beats[0].sliders[2].input: must lead to one number of the inputs, in \"curve\"\n"
         "lesson.json:10:11: beats[0].sliders[3].input: must be a path such as \"u\" or \"curve.points[1][0]\", in "
@@ -98,6 +101,46 @@ TEST_CASE("every mistake in what a beat does, each at its line and column") {
         "lesson.json:10:45: beats[0].sliders[3].to: must be above \"from\"\n"
         "lesson.json:10:56: beats[0].sliders[3].step: must be above 0 and at most \"to\" - \"from\"\n"
         "lesson.json:10:68: beats[0].sliders[3].label: must not be empty\n"
-        "lesson.json:12:10: beats[1].pause: must be \"wait\" or a number of seconds up to 60\n"
+        "lesson.json:12:10: beats[1].pause: must be \"wait\" or a number of seconds above 0, up to 60\n"
         "lesson.json:12:25: beats[1].sliders: must have at least 1 item, not 0\n");
+}
+
+TEST_CASE("a placeholder that names nothing says what may be meant") {
+  const auto said = [](const std::string& at, const std::string& say) {
+    const std::string told = mistakes(beat(at, say));
+    return told.substr(std::min(told.find("say: "), told.size()));
+  };
+  CHECK(said("\"P[1][0]\"", "{valeu}") == "say: \"{valeu}\" names nothing at step 1; did you mean \"value\"?\n");
+  CHECK(said("\"P[1][0]\"", "{Value}") == "say: \"{Value}\" names nothing at step 1; did you mean \"value\"?\n");
+  CHECK(said("\"P[1][0]\"", "{ u }") == "say: \"{ u }\" names nothing at step 1; did you mean \"u\"?\n");
+  CHECK(said("\"P[1][0]\"", "{P[7][0]}") ==
+        "say: \"{P[7][0]}\" names nothing at step 1; there are P[0][0..2], P[1][0..1], P[2][0]\n");
+  CHECK(said("\"P[1][0]\"", "$\\\\value{nope}$") ==
+        "say: \"{nope}\" names nothing at step 1; the values of this run are u, P[0][0..2], P[1][0..1], P[2][0], C\n");
+  CHECK(
+      said("\"start\"", "{value}") ==
+      "say: \"{value}\" is about the value that a step makes, and the start makes none; name the one you mean, such as "
+      "\"{u}\"\n");
+}
+
+TEST_CASE("a brace that is to be seen is written with a backslash") {
+  const auto lesson = lesson_of(beat("\"P[1][0]\"", "The set \\\\{{u}\\\\}, and $\\\\{1\\\\}$."));
+  const auto run = record<Exact>(*lesson.algorithm, lesson.inputs);
+  CHECK(plain_text(read_prose(lesson.narration(Narrator<Exact>(*run), 1))) == "The set {1/4}, and {1}.");
+}
+
+TEST_CASE("sliders and cameras that cannot be meant so") {
+  CHECK(mistakes(beat_with("\"start\"", R"("camera": {"fit": ["u"]}, "sliders": [
+{"input": "u", "from": 0, "to": 1},
+{"input": "curve.points[1][1]", "from": 0, "to": 5},
+{"input": "curve.points[1][1]", "from": 0, "to": 6}])")) ==
+        "lesson.json:4:20: beats[0].camera.fit[0]: must select points, which are to be seen\n"
+        "lesson.json:7:11: beats[0].sliders[2].input: \"curve.points[1][1]\" has a slider here already\n");
+}
+
+TEST_CASE("counts are no texts, and seconds may be") {
+  CHECK(mistakes(beat("\"end\""), parabola, header + "\"minutes\": \"5\", \"$schema\": 5, ") ==
+        "lesson.json:1:82: minutes: is a count, and stands without quotation marks: 5\n"
+        "lesson.json:1:98: [\"$schema\"]: must be a string, not 5\n");
+  CHECK(lesson_of(beat_with("\"start\"", R"("pause": "3/2")")).beats[0].seconds == 1.5);
 }

@@ -89,8 +89,8 @@ TEST_CASE("every mistake of checkpoints, each at its line and column") {
 "choices": [{"text": "a"}, {"txt": "b"}, {"text": "c {u", "right": "yes"}])") +
                ",\n" + asking("\"end\"", R"("id": "d", "kind": "line", "ask": "?")")) ==
       "lesson.json:4:22: beats[0].checkpoint.id: must be 1 to 64 of a-z, 0-9 and -, such as \"de-boor-2\", not \"No\"\n"
-      "lesson.json:4:56: beats[0].checkpoint.value: no value of this run is called \"P[3][0]\"; did you mean "
-      "\"P[0][0]\"?\n"
+      "lesson.json:4:56: beats[0].checkpoint.value: no value of this run is called \"P[3][0]\"; there are "
+      "P[0][0..2], P[1][0..1], P[2][0]\n"
       "lesson.json:4:79: beats[0].checkpoint.decimals: must be a whole number from 0 to 12, not 13\n"
       "lesson.json:5:11: beats[0].checkpoint.points: must be from 0 to 1000\n"
       "lesson.json:5:22: beats[0].checkpoint.ask: \"{P[1][0]}\" names nothing at step 0: it is made at step 1\n"
@@ -99,7 +99,6 @@ TEST_CASE("every mistake of checkpoints, each at its line and column") {
       "lesson.json:7:55: beats[1].checkpoint.value: nobody can be asked for \"P[1][0]\" here: it is made at step 1 and "
       "this is step 2; ask at an earlier step\n"
       "lesson.json:7:73: beats[1].checkpoint.ask: must not be empty\n"
-      "lesson.json:10:12: beats[2].checkpoint.choices: must have exactly one choice with \"right\": true, not 0\n"
       "lesson.json:10:28: beats[2].checkpoint.choices[1]: missing key \"text\"\n"
       "lesson.json:10:29: beats[2].checkpoint.choices[1]: unknown key \"txt\"; did you mean \"text\"?\n"
       "lesson.json:10:51: beats[2].checkpoint.choices[2].text: a { has no } behind it, at \"{u\"\n"
@@ -112,13 +111,24 @@ TEST_CASE("every mistake of checkpoints, each at its line and column") {
         "\"guess\"\n"
         "lesson.json:6:15: beats[1].checkpoint: must be an object with keys among \"id\", \"kind\" and \"ask\", not "
         "\"?\"\n");
-  CHECK(
-      mistakes(asking("\"start\"", R"("id": "a", "kind": "span", "value": "u", "ask": "?")"), spline) ==
-      "lesson.json:5:52: beats[0].checkpoint.value: \"u\" is no index of a knot span\n"
-      "lesson.json:5:52: beats[0].checkpoint.value: nobody can be asked for \"u\" here: it is made at step 0 and this "
-      "is step 0; ask at an earlier step\n");
+  CHECK(mistakes(asking("\"start\"", R"("id": "a", "kind": "span", "value": "u", "ask": "?")"), spline) ==
+        "lesson.json:5:52: beats[0].checkpoint.value: \"u\" is no index of a knot span\n");
+  CHECK(mistakes(asking("\"start\"", R"("id": "a", "kind": "span", "value": "s", "ask": "?")"), spline) ==
+        "lesson.json:5:52: beats[0].checkpoint.value: \"s\" is no index of a knot span\n");
   CHECK(mistakes(asking("\"start\"", R"("id": "a", "kind": "order", "items": ["one"], "ask": "?")")) ==
         "lesson.json:4:53: beats[0].checkpoint.items: must have at least 2 items, not 1\n");
+}
+
+TEST_CASE("things that read the same cannot be put in order or chosen among") {
+  CHECK(mistakes(asking("\"start\"", R"("id": "a", "kind": "order", "items": ["one", "two", "one"], "ask": "?")") +
+                 ",\n" + asking("\"P[1][0]\"", R"("id": "b", "kind": "choice", "ask": "?",
+"choices": [{"text": "one", "right": true}, {"text": "one"}])")) ==
+        "lesson.json:4:68: beats[0].checkpoint.items[2]: reads the same as the one at 0; nobody can tell them apart\n"
+        "lesson.json:7:54: beats[1].checkpoint.choices[1].text: reads the same as the one at 0; nobody can tell them "
+        "apart\n");
+  CHECK(mistakes(asking("\"start\"", R"("id": "a", "kind": "choice", "ask": "?",
+"choices": [{"text": "one", "right": "true"}, {"text": "two"}])")) ==
+        "lesson.json:5:38: beats[0].checkpoint.choices[0].right: must be true or false, not \"true\"\n");
 }
 
 TEST_CASE("a question that is asked at every step is asked at none") {

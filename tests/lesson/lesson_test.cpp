@@ -97,7 +97,7 @@ lesson.json:10:30: beats[0].say: "{P[2][0]}" names nothing at step 1: it is made
 lesson.json:11:5: beats[1]: missing key "say"
 lesson.json:11:12: beats[1].at: stands at step 0, but the beat before at step 1: beats go in the order of the steps
 lesson.json:11:21: beats[1]: unknown key "says"; did you mean "say"?
-lesson.json:12:12: beats[2].at: no value of this run is called "P[1][7]"; did you mean "P[1][0]"?
+lesson.json:12:12: beats[2].at: no value of this run is called "P[1][7]"; there are P[0][0..2], P[1][0..1], P[2][0]
 lesson.json:13:12: beats[3].at: is no selector: the bracket at character 2 is not closed
 lesson.json:13:26: beats[3].say: must not be empty
 lesson.json:14:21: beats[4].at.step: must be a whole number from 0 to 4, not 5
@@ -107,7 +107,7 @@ lesson.json:16:21: beats[6].at.step: must be the only key of its place
 lesson.json:17:12: beats[7].at: must be a selector such as "P[1][0]", "start", "end", or an object such as {"phase": "parameters"} or {"step": 3}
 lesson.json:17:44: beats[7].highlight: must have at least 1 item, not 0
 lesson.json:18:53: beats[8].highlight[0]: nothing of it is made yet at step 3; the first comes at step 4
-lesson.json:18:69: beats[8].highlight[2]: no value of this run is called "R[1]"
+lesson.json:18:69: beats[8].highlight[2]: no value of this run is called "R[1]"; the values of this run are u, P[0][0..2], P[1][0..1], P[2][0], C
 lesson.json:19:12: beats[9].at: stands at step 3 as the beat before does; one beat for each step
 )");
 }
@@ -193,7 +193,8 @@ TEST_CASE("a lesson says what is predicted, and when predictions are marked") {
                       .diagnostics) ==
         "lesson.json:3:57: predict: unknown key \"asks\"; did you mean \"ask\"?\n"
         "lesson.json:4:9: predict.ask[0]: is no selector: the bracket at character 2 is not closed\n"
-        "lesson.json:4:16: predict.ask[1]: no value of this run is called \"P[3][0]\"; did you mean \"P[0][0]\"?\n"
+        "lesson.json:4:16: predict.ask[1]: no value of this run is called \"P[3][0]\"; there are P[0][0..2], "
+        "P[1][0..1], P[2][0]\n"
         "lesson.json:4:27: predict.ask[2]: \"P[0][*]\" is given: there is nothing to predict\n"
         "lesson.json:4:49: predict.ask[4]: must be a string, not 7\n"
         "lesson.json:4:64: predict.marking: must be \"at-once\" or \"at-end\", not \"later\"\n");
@@ -324,21 +325,19 @@ TEST_CASE("mistakes in each scene are told together, and a lesson has scenes or 
   const auto lesson = load_lesson(parsed(header + "\n\"beats\": [],\n\"scenes\": [" +
                                          scene("one", parabola + "\n\"beats\": [" + beat("\"P[9][9]\"") + "]") + ",\n" +
                                          scene("one", parabola + "\n\"beats\": []") + ",\n7, {}]}"));
-  CHECK(
-      to_string(lesson.diagnostics) ==
-      "lesson.json:2:1: unknown key \"beats\"; the keys here are \"$schema\", \"schema\", \"id\", \"title\", \"unit\", "
-      "\"summary\", \"source\", \"minutes\", \"language\", \"languages\", \"objectives\", \"prerequisites\", "
-      "\"exercises\", \"scenes\" and \"colors\"\n"
-      "lesson.json:5:18: scenes[0].beats[0].at: no value of this run is called \"P[9][9]\"; did you mean \"P[0][0]\"?\n"
-      "lesson.json:6:8: scenes[1].id: \"one\" is the id of an earlier scene already\n"
-      "lesson.json:8:10: scenes[1].beats: must have at least 1 item, not 0\n"
-      "lesson.json:9:1: scenes[2]: must be an object with keys among \"id\", \"title\", \"algorithm\", \"inputs\", "
-      "\"beats\" and \"predict\", not 7\n"
-      "lesson.json:9:4: scenes[3]: missing key \"id\"\n"
-      "lesson.json:9:4: scenes[3]: missing key \"title\"\n"
-      "lesson.json:9:4: scenes[3]: missing key \"algorithm\"\n"
-      "lesson.json:9:4: scenes[3]: missing key \"inputs\"\n"
-      "lesson.json:9:4: scenes[3]: missing key \"beats\"\n");
+  CHECK(to_string(lesson.diagnostics) ==
+        "lesson.json:2:1: \"beats\" belongs into a scene once there are \"scenes\"\n"
+        "lesson.json:5:18: scenes[0].beats[0].at: no value of this run is called \"P[9][9]\"; there are P[0][0..2], "
+        "P[1][0..1], P[2][0]\n"
+        "lesson.json:6:8: scenes[1].id: \"one\" is the id of an earlier scene already\n"
+        "lesson.json:8:10: scenes[1].beats: must have at least 1 item, not 0\n"
+        "lesson.json:9:1: scenes[2]: must be an object with keys among \"id\", \"title\", \"algorithm\", \"inputs\", "
+        "\"beats\" and \"predict\", not 7\n"
+        "lesson.json:9:4: scenes[3]: missing key \"id\"\n"
+        "lesson.json:9:4: scenes[3]: missing key \"title\"\n"
+        "lesson.json:9:4: scenes[3]: missing key \"algorithm\"\n"
+        "lesson.json:9:4: scenes[3]: missing key \"inputs\"\n"
+        "lesson.json:9:4: scenes[3]: missing key \"beats\"\n");
 }
 
 TEST_CASE("no two checkpoints of a lesson have one id, in whatever scenes they stand") {

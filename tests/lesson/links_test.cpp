@@ -109,4 +109,27 @@ TEST_CASE("a slider's ends at which the inputs are not valid are told, and which
       "2], not at 5/2\n"
       "lesson.json:6:50: beats[0].sliders[1].to: with curve.knots[3] = 3 the inputs are not valid: curve.knots[4]: "
       "knots must not decrease; 2 comes after 3\n");
+  CHECK(told(R"({"input": "u", "from": 1, "to": 2})") ==
+        "lesson.json:5:36: beats[0].sliders[0].from: leaves out the lesson's own number, u = 1/2\n");
+}
+
+TEST_CASE("links to files that are not beside the lesson, and ids that two files have") {
+  const Scratch folder;
+  folder.write("notes.txt", "");
+  const auto says = [&](const std::string& name, const std::string& words) {
+    const auto file = folder.write(name, R"({"schema": "blossom.lesson/1", "id": "same", "beats": [{"at": "end",)" +
+                                             std::string("\n\"say\": \"") + words + "\"}]}");
+    return *JsonDocument::load(file);
+  };
+  const auto first =
+      says("a.json", "[here](notes.txt#top), [there](notes.html), [out](https://example.org/notes.html)");
+  CHECK(to_string(check_addresses(first)) ==
+        folder / "a.json:2:8: beats[0].say: there is no file \"notes.html\" beside this one\n");
+  const auto second = says("b.json", "Look.");
+  CourseIndex index;
+  index.add(first.name(), first);
+  index.add(second.name(), second);
+  CHECK(check_id(first, index).empty());
+  CHECK(to_string(check_id(second, index)) == folder / ("b.json:1:38: id: \"same\" is the id of " +
+                                                        (folder / "a.json") + " already; each needs one of its own\n"));
 }

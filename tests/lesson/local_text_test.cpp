@@ -54,7 +54,8 @@ TEST_CASE("missing translations are named, and languages that were not promised"
         "lesson.json:5:54: beats[1].say: the lesson is not in \"es\"; \"languages\" says which it is in\n"
         "lesson.json:6:26: beats[2].say: must have a text in the lesson's own language, \"de\"\n"
         "lesson.json:7:23: beats[3].say: must be a language such as \"en\" or \"de\", not \"German\"\n"
-        "lesson.json:7:65: beats[3].say.en: \"{X}\" names nothing at step 4\n"
+        "lesson.json:7:65: beats[3].say.en: \"{X}\" names nothing at step 4; the values of this run are u, P[0][0..2], "
+        "P[1][0..1], P[2][0], C\n"
         "lesson.json:7:78: beats[3].say.fr: must not be empty\n");
 }
 
@@ -80,4 +81,10 @@ TEST_CASE("texts are written as they are read") {
   REQUIRE(text);
   CHECK(write_json(write_local_text(*text, languages)) == R"({"en": "A", "de": "B"})");
   CHECK(write_json(write_local_text(LocalText("A"), languages)) == "\"A\"");
+}
+
+TEST_CASE("mistakes in the languages themselves are told once, not at every text") {
+  const std::string head = header + "\"languages\": [\"German\"], ";
+  CHECK(mistakes("{\"at\": \"start\", \"say\": {\"en\": \"Look.\", \"de\": \"Schau.\"}}", parabola, head) ==
+        "lesson.json:1:85: languages[0]: must be a language such as \"en\" or \"de\", not \"German\"\n");
 }

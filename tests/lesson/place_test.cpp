@@ -106,7 +106,20 @@ TEST_CASE("what is no place in any run, and what would be one") {
   CHECK(mistake("{\"level\": -1}") == "place.json:1:11: level: must be a whole number from 0 to 1000000000, not -1\n");
   CHECK(mistake("{\"every\": \"P[\"}") ==
         "place.json:1:11: every: is no selector: the bracket at character 2 is not closed\n");
-  CHECK(mistake("{\"evry\": \"P\"}") ==
-        "place.json:1:1: must have one of \"last\", \"every\", \"level\", \"phase\", \"after\" and \"step\"\n"
-        "place.json:1:2: unknown key \"evry\"; did you mean \"every\"?\n");
+  CHECK(mistake("{\"evry\": \"P\"}") == "place.json:1:2: unknown key \"evry\"; did you mean \"every\"?\n");
+}
+
+TEST_CASE("what may be meant by a place that is none") {
+  const auto said = [](const std::string& beats, const std::string& run = parabola) {
+    const std::string told = mistakes(beats, run);
+    return told.substr(told.find("called") + 7);
+  };
+  CHECK(said(beat("\"begin\"")) == "\"begin\"; did you mean \"start\"?\n");
+  CHECK(said(beat("\"END\"")) == "\"END\"; did you mean \"end\"?\n");
+  CHECK(said(beat("\"p[1][0]\"")) == "\"p[1][0]\"; did you mean \"P[1][0]\"?\n");
+  CHECK(said(beat("\"P[9][*]\"")) == "\"P[9][*]\"; there are P[0][0..2], P[1][0..1], P[2][0]\n");
+  CHECK(said(beat("{\"after\": \"raise\"}"), raised).starts_with("\"raise\"; the phases are \""));
+  CHECK(said(beat("{\"phase\": \"elevate\"}")) == "\"elevate\"; this algorithm runs in one piece\n");
+  CHECK(mistakes(beat("{\"level\": 7}")) ==
+        "lesson.json:3:28: beats[0].at.level: no value that this run makes is of level 7; the levels are 1 to 2\n");
 }

@@ -246,3 +246,14 @@ TEST_CASE("prose: braces belong to placeholders outside of formulas, and to TeX 
   CHECK(!open_brace("$x_{1$"));  // the formula's own mistake
   CHECK(open_brace("`$` {a $x$") == 4u);
 }
+
+TEST_CASE("prose: what was meant as a formula, as a price, as emphasis or as a link", "[prose]") {
+  CHECK(mistakes_in("so \\alpha is") ==
+        "3: \\alpha belongs between dollar signs: $\\alpha$; write \\\\ for a backslash");
+  CHECK(mistakes_in("costs $5 and $6") ==
+        "6: a $ with a blank before it or a digit behind it ends no formula; write \\$ for the sign of the dollar");
+  CHECK(mistakes_in("costs \\$5 and \\$6, \\{a\\}, and $a$ is $b$.").empty());
+  CHECK(mistakes_in("an *unpaired star") == "3: a * has no partner; write \\* for the sign");
+  CHECK(mistakes_in("[words](http://x and on") == "0: the address of a link has no ) behind it in its line");
+  CHECK(mistakes_in("on [0, 1](see below, P[1](u").empty());
+}

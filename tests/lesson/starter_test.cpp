@@ -35,6 +35,14 @@ bool check_start(const Algorithm& algorithm, const std::filesystem::path& lesson
   CHECK(lesson->beats.size() <= 6);
   CHECK(lesson->beats.front().step == 0);
   CHECK(lesson->beats.back().step + 1 == steps);
+  // What it says between the start and the end is what the algorithm says of these steps.
+  const Narrator<Exact> narrator(*run);
+  for (std::size_t i = 1; i + 1 < lesson->beats.size(); ++i) {
+    const std::uint32_t step = lesson->beats[i].step;
+    INFO("step " << step);
+    CHECK(lesson->narration(narrator, step) == narrator.text(step));
+  }
+  CHECK(lesson->narration(narrator, 0) == narrator.text(0));
   std::size_t checkpoints = 0, sliders = 0, numbers = 0;
   for (const Beat& each : lesson->beats) {
     checkpoints += each.checkpoint ? 1 : 0;

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <map>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "algorithms/trace_json.hpp"
@@ -159,6 +160,8 @@ Diagnostics lint_lesson(const JsonDocument& document, const Course& course) {
   Diagnostics diagnostics = load_lesson(document).diagnostics;
   const auto add = [&](const Diagnostics& more) { diagnostics.insert(diagnostics.end(), more.begin(), more.end()); };
   if (diagnostics.empty()) add(check_sliders(document));
+  add(check_id(document, course.index));
+  add(check_addresses(document));
   add(check_links(document, course.index, course.shipped));
   return diagnostics;
 }
@@ -172,7 +175,10 @@ Diagnostics lint(const JsonDocument& document, Course& course) {
       return lint_lesson(document, course);
     case FileKind::exercise: {
       const auto exercise = read_exercise(document);
-      return exercise ? check_variants(document) : exercise.diagnostics;
+      diagnostics = exercise ? check_variants(document) : exercise.diagnostics;
+      for (const Diagnostics& more : {check_id(document, course.index), check_addresses(document)})
+        diagnostics.insert(diagnostics.end(), more.begin(), more.end());
+      return diagnostics;
     }
     case FileKind::assignment:
       return read_assignment(document).diagnostics;
@@ -221,6 +227,19 @@ void for_each_in_parallel(std::size_t count, const Work& work) {
   loop();
 }
 
+// An assignment tells the mistakes of its exercises, too: not again where these are checked themselves.
+void tell_once(const std::vector<fs::path>& files, std::vector<Diagnostics>& found) {
+  const auto normal = [](const fs::path& file) {
+    std::error_code error;
+    return fs::weakly_canonical(file, error).string();
+  };
+  std::set<std::string> checked;
+  for (const fs::path& file : files) checked.insert(normal(file));
+  for (std::size_t i = 0; i < files.size(); ++i)
+    std::erase_if(found[i],
+                  [&](const Diagnostic& d) { return d.file != files[i].string() && checked.contains(normal(d.file)); });
+}
+
 int run(const std::vector<std::string>& given) {
   Diagnostics all;
   std::size_t good = 0;
@@ -236,36 +255,55 @@ int run(const std::vector<std::string>& given) {
   for_each_in_parallel(files.size(), [&](std::size_t i) {
     found[i] = *documents[i] ? lint(**documents[i], course) : documents[i]->diagnostics;
   });
+  tell_once(files, found);
   for (const Diagnostics& of_file : found) {
     good += of_file.empty() ? 1 : 0;
     all.insert(all.end(), of_file.begin(), of_file.end());
   }
   const int status = report(all);
   if (files.empty()) return status;
-  std::cout << good << (good == 1 ? " file is" : " files are") << " in order";
-  if (!all.empty()) std::cout << ", " << all.size() << (all.size() == 1 ? " mistake" : " mistakes") << " in the others";
+  const std::size_t bad = files.size() - good;
+  if (good > 0 || all.empty()) std::cout << good << (good == 1 ? " file is" : " files are") << " in order";
+  if (!all.empty()) std::cout << (good > 0 ? ", " : "") << all.size() << (all.size() == 1 ? " mistake" : " mistakes");
+  if (bad > 0) std::cout << " in " << bad << (good > 0 ? " other" : bad == 1 ? " file" : " files");
+  if (bad > 1 && good > 0) std::cout << "s";
   std::cout << "\n";
   return status;
 }
 
+// What is meant by no files: the course that is here; else the files that are here; else the course around the program.
+std::vector<std::string> files_by_default() {
+  std::error_code error;
+  std::vector<std::string> files;
+  Diagnostics none;  // a folder that cannot be read has no files
+  if (!fs::is_directory("lessons", error))
+    for (const fs::path& file : json_files(".", none))
+      if (const auto document = JsonDocument::load(file); document && file_kind(document->root()) != FileKind::unknown)
+        files.push_back(file.filename().string());
+  if (!files.empty()) return files;
+  const fs::path lessons = find_folder("lessons");
+  files = {lessons.string(), find_folder("exercises").string()};
+  if (fs::is_directory(lessons / "scenes", error)) files.push_back((lessons / "scenes").string());
+  return files;
+}
+
 void set_up(CLI::App& app, int& status) {
   auto files = std::make_shared<std::vector<std::string>>();
-  app.add_option("FILES", *files, "Files, or folders of them; by default `lessons`, `exercises` and `lessons/scenes`");
+  app.add_option(
+      "FILES", *files,
+      "Files, or folders of them; by default `lessons`, `exercises` and `lessons/scenes`, or, where there is no "
+      "`lessons`, the files that are here");
   app.footer(
       "Names every mistake at once, as file:line:column: path: what is wrong, and what would be right: in their form\n"
-      "and words, in what they say at each step, in the prerequisites and exercises they name, in what a slider would\n"
+      "and words, in what they say at each step, in the lessons, exercises and files they name, in what a slider "
+      "would\n"
       "make of their inputs.\n"
       "Examples:\n"
       "  blossom lint\n"
       "  blossom lint my-lesson.json exercises\n"
       "Exit status: 0 all in order, 1 mistakes, 2 wrong usage.");
   app.callback([files, &status] {
-    if (files->empty()) {
-      const fs::path lessons = find_folder("lessons");
-      *files = {lessons.string(), find_folder("exercises").string()};
-      std::error_code error;
-      if (fs::is_directory(lessons / "scenes", error)) files->push_back((lessons / "scenes").string());
-    }
+    if (files->empty()) *files = files_by_default();
     status = run(*files);
   });
 }

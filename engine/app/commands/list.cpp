@@ -190,11 +190,10 @@ int list(const Given& given) {
     std::cout << "\nAlgorithms\n" << table(rows);
   }
   if (has_lessons)
-    std::cout
-        << "\nNext: blossom play LESSON, blossom step LESSON, blossom export LESSON --to html, blossom new lesson "
-           "--algorithm ALGORITHM\n";
+    std::cout << "\nNext: blossom play LESSON, blossom step LESSON, blossom export LESSON --to html, blossom describe "
+                 "ALGORITHM, blossom new lesson --algorithm ALGORITHM\n";
   else
-    std::cout << "\nNext: blossom trace --algorithm ALGORITHM --inputs FILE (see blossom trace --help)\n";
+    std::cout << "\nNext: blossom describe ALGORITHM, blossom trace --algorithm ALGORITHM --inputs FILE\n";
   return report(catalog.diagnostics);
 }
 

@@ -1,9 +1,11 @@
 // blossom new: a lesson or an exercise that works, to begin with.
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 
 #include "app/input.hpp"
+#include "base/utf8.hpp"
 #include "lesson/document.hpp"
 #include "lesson/starter.hpp"
 
@@ -20,12 +22,40 @@ struct Given {
   bool force = false;
 };
 
-// "05-De_Boor.json" is about "de-boor".
+// A letter with an accent in the letters that an id may have; empty: any other character.
+std::string_view plain_letters(std::string_view letter) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> groups{{{"äÄæÆ", "ae"},
+                                                                                         {"öÖœŒøØ", "oe"},
+                                                                                         {"üÜ", "ue"},
+                                                                                         {"ß", "ss"},
+                                                                                         {"áàâãåÁÀÂÃÅ", "a"},
+                                                                                         {"çčćÇČĆ", "c"},
+                                                                                         {"éèêëěÉÈÊËĚ", "e"},
+                                                                                         {"íìîïÍÌÎÏ", "i"},
+                                                                                         {"ñńÑŃ", "n"},
+                                                                                         {"óòôõÓÒÔÕ", "o"},
+                                                                                         {"úùûůÚÙÛŮ", "u"},
+                                                                                         {"ýÿÝ", "y"},
+                                                                                         {"šśŠŚ", "s"},
+                                                                                         {"žźżŽŹŻ", "z"}}};
+  for (const auto& [letters, plain] : groups)
+    if (letters.find(letter) != std::string_view::npos) return plain;
+  return {};
+}
+
+// "05-De_Boor.json" is about "de-boor", "Übung 1.json" about "uebung-1".
 std::string id_of(const fs::path& file) {
   std::string id;
-  for (const char c : file.stem().string()) {
+  const std::string stem = file.stem().string();
+  for (std::size_t i = 0; i < stem.size();) {
+    const std::size_t length = std::max<std::size_t>(utf8_length(stem, i), 1);
+    const char c = stem[i];
     const char small = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c == '_' || c == ' ' ? '-' : c;
-    if (('a' <= small && small <= 'z') || ('0' <= small && small <= '9') || small == '-') id += small;
+    if (('a' <= small && small <= 'z') || ('0' <= small && small <= '9') || small == '-')
+      id += small;
+    else if (length > 1)
+      id += plain_letters(std::string_view(stem).substr(i, length));
+    i += length;
   }
   const std::size_t number = std::min(id.find_first_not_of("0123456789"), id.size());
   if (number < id.size() && id[number] == '-') id.erase(0, number + 1);
@@ -88,8 +118,13 @@ int make(Given given) {
 void set_up(CLI::App& app, int& status) {
   auto given = std::make_shared<Given>();
   app.add_option("WHAT", given->what, "lesson or exercise")->required()->check(CLI::IsMember({"lesson", "exercise"}));
-  app.add_option("--algorithm", given->algorithm, "What it is about, see `blossom list`")->required();
-  app.add_option("--out", given->out, "The file to write, by default my-ALGORITHM.json; - is standard output");
+  app.add_option("--algorithm", given->algorithm,
+                 "What it is about; `blossom list` has all of them, and `blossom describe ALGORITHM` tells about one")
+      ->required();
+  app.add_option(
+      "--out", given->out,
+      "The file to write, by default my-de-boor.json for de_boor (my-de-boor-exercise.json for an exercise); - "
+      "is standard output");
   app.add_option("--language", given->language, "The language it will be written in, such as de")
       ->check([](const std::string& name) {
         const bool fits = (name.size() == 2 || name.size() == 3) &&

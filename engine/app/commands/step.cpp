@@ -34,7 +34,10 @@ class Stepper {
   }
 
   void run(std::istream& in) {
-    std::cout << heading(subject_.title()) << wrapped(subject_.algorithm->summary) << "\n\n" << keys << "\n";
+    const std::string note = subject_.scene_note();
+    std::cout << heading(subject_.title()) << (note.empty() ? "" : wrapped(note) + "\n\n")
+              << wrapped(subject_.algorithm->summary) << "\n\n"
+              << keys << "\n";
     show();
     for (std::string line; std::cout << "> " << std::flush && std::getline(in, line);) {
       std::istringstream words(line);

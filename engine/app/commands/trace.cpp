@@ -10,6 +10,8 @@
 namespace blossom {
 namespace {
 
+constexpr int shown_digits = 6;  // of decimals, as in pictures; JSON has all
+
 struct Options {
   SubjectOptions subject;
   bool exact = false;
@@ -20,6 +22,7 @@ template <Scalar S>
 std::string as_text(const Narrator<S>& narrator, const Subject& subject) {
   const auto& trace = narrator.trace();
   std::string text = heading(subject.title());
+  if (const std::string note = subject.scene_note(); !note.empty()) text += wrapped(note) + "\n\n";
   text += wrapped(subject.algorithm->summary) + "\n\n";
   for (std::size_t line = 0; line < subject.algorithm->pseudo_code.size(); ++line)
     text += "  " + std::to_string(line + 1) + "  " + std::string(subject.algorithm->pseudo_code[line]) + "\n";
@@ -28,7 +31,8 @@ std::string as_text(const Narrator<S>& narrator, const Subject& subject) {
   for (std::uint32_t step = 0; step < trace.step_count(); ++step) {
     const std::string number = std::to_string(step);
     const auto depth = trace.phase_path(trace.step(step).phase).size();
-    const int line = narrator.line(step);
+    // A line of an algorithm inside of this one stands in a listing that is not printed.
+    const int line = &narrator.algorithm_at(step) == subject.algorithm ? narrator.line(step) : 0;
     const std::string head = std::string(last.size() - number.size(), ' ') + number + "  " +
                              std::string(2 * depth, ' ') + (line > 0 ? "[" + std::to_string(line) + "] " : "");
     text += head + wrapped(plain_text(read_prose(subject.narration(narrator, step))), head.size()) + "\n";
@@ -37,9 +41,11 @@ std::string as_text(const Narrator<S>& narrator, const Subject& subject) {
     text += "\nThe triangular scheme:\n\n" + tableau;
   const auto approximate = trace.approximate_values();
   if (!approximate.empty()) {
-    std::string note = "Exact up to step " + std::to_string(trace.value(approximate.front()).step) + ". " +
-                       std::to_string(approximate.size()) +
-                       " values are irrational, or come of irrational ones, and are shown in decimals: ";
+    std::string note = "Exact before step " + std::to_string(trace.value(approximate.front()).step) + ". " +
+                       (approximate.size() == 1
+                            ? "One value is irrational, or comes of an irrational one, and is shown as a decimal: "
+                            : std::to_string(approximate.size()) +
+                                  " values are irrational, or come of irrational ones, and are shown in decimals: ");
     for (std::size_t i = 0; i < approximate.size() && i < 8; ++i)
       note += (i > 0 ? ", " : "") + trace.name(approximate[i]);
     note += approximate.size() > 8 ? ", ... (all are marked in --format json)." : ".";
@@ -52,8 +58,8 @@ template <Scalar S>
 int run(const Subject& subject, const Options& options) {
   const auto recorded = record<S>(subject);
   if (!recorded) return report(recorded.diagnostics);
-  const Narrator<S> narrator(*recorded);
-  std::cout << (options.format == "json" ? write_trace(narrator) : as_text(narrator, subject));
+  std::cout << (options.format == "json" ? write_trace(Narrator<S>(*recorded))
+                                         : as_text(Narrator<S>(*recorded, shown_digits), subject));
   return done;
 }
 

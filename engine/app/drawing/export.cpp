@@ -8,12 +8,16 @@
 #include <atomic>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "app/export_options.hpp"
 #include "app/progress.hpp"
+#include "base/json.hpp"
 #include "base/text_file.hpp"
+#include "export/html_course.hpp"
 #include "lesson/catalog.hpp"
 #include "render/lesson_theme.hpp"
 
@@ -70,6 +74,8 @@ struct Job {
   std::function<Checked<Story>()> prepare;  // diagnostics: the input is at fault
   std::vector<std::size_t> shares;          // of each format what is done, of 1000
   std::vector<LessonExported> exported;
+  std::optional<CoursePage> page;      // for the list of a course
+  std::size_t steps = 0, foreign = 0;  // those in another language than the lesson
 };
 
 constexpr std::size_t whole_share = 1000;
@@ -113,6 +119,9 @@ class Exporter {
   void write(Job& job) {
     const auto story = job.prepare();
     if (!story) return fail(story.diagnostics, input_at_fault);
+    job.page = course_page(*story, job.name);
+    job.steps = story->step_count();
+    job.foreign = story->foreign_count();
     const Theme theme = with_colors(*request_.options.theme, story->colors);
     for (std::size_t i = 0; i < request_.formats.size() && stop_signal == 0; ++i) {
       LessonExportOptions options = request_.options;
@@ -188,20 +197,66 @@ std::string summary_of(const LessonExported& exported, std::uintmax_t& total) {
   return count + " files in " + printable(folder.string()) + ", " + size_text(bytes);
 }
 
-void print_summary(const std::vector<Job>& jobs) {
+// "22-de-boor, 44-conics and 3 more".
+std::string names_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) text += (i > 0 ? ", " : "") + printable(names[i]);
+  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more" : text;
+}
+
+// What is to be said, once, with the lessons that it is about.
+void print_notes(const std::vector<Job>& jobs, const std::string& language) {
+  std::vector<std::string> notes;
+  std::map<std::string, std::vector<std::string>> lessons;  // of each note
+  std::size_t steps = 0, foreign = 0;
+  for (const Job& job : jobs) {
+    if (job.foreign > 0) steps += job.steps;
+    foreign += job.foreign;
+    for (const LessonExported& exported : job.exported) {
+      for (const std::string& note : exported.notes) {
+        std::vector<std::string>& names = lessons[note];
+        if (names.empty()) notes.push_back(note);
+        if (names.empty() || names.back() != job.name) names.push_back(job.name);
+      }
+    }
+  }
+  for (const std::string& note : notes)
+    std::cout << (lessons[note].size() < jobs.size() ? names_of(lessons[note]) + ": " : "") << note << "\n";
+  if (foreign > 0)
+    std::cout << foreign << " of " << steps << " steps are not told in "
+              << (language.empty() ? std::string("the lesson's language") : printable(language))
+              << ": where a lesson says nothing, the algorithm's English words stand\n";
+}
+
+void print_summary(const std::vector<Job>& jobs, const fs::path& list) {
   std::uintmax_t total = 0;
   std::size_t count = 0;
-  std::vector<std::string> notes;
   for (const Job& job : jobs) {
     for (const LessonExported& exported : job.exported) {
       std::cout << summary_of(exported, total) << "\n";
       ++count;
-      for (const std::string& note : exported.notes)
-        if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
     }
   }
+  if (!list.empty()) std::cout << summary_of({{list}, {}}, total) << ", the list of the pages\n";
   if (count > 1) std::cout << "in all " << size_text(total) << "\n";
-  for (const std::string& note : notes) std::cout << note << "\n";
+}
+
+// The list of a course's pages, where it was all written. Its name; empty: there is none.
+Checked<fs::path> write_list(const std::vector<Job>& jobs, const ExportRequest& request) {
+  const std::string name = "index";
+  const bool any =
+      std::ranges::any_of(request.formats, [](const LessonFormat* format) { return format->id == "html"; });
+  if (!request.all || !any) return fs::path();
+  std::vector<CoursePage> pages;
+  for (const Job& job : jobs) {
+    if (job.name == name) return fs::path();  // a lesson's own page
+    if (job.page) pages.push_back(*job.page);
+  }
+  const fs::path file = request.out / (name + ".html");
+  if (const auto written = write_file(file, html_course(pages, request.options.theme->name)); !written)
+    return written.diagnostics;
+  return file;
 }
 
 // Scenes without any of the steps that are asked for are left out; no step at all is a mistake.
@@ -226,16 +281,24 @@ StoryOptions story_options(const ExportOptions& typed, const ExportRequest& requ
   return options;
 }
 
+// The titles of what a lesson names.
+std::shared_ptr<const CourseTitles> titles_for(const fs::path& lesson, bool pages) {
+  return std::make_shared<const CourseTitles>(lesson, CourseFolders{find_folder("lessons"), find_folder("exercises")},
+                                              pages);
+}
+
 Checked<std::vector<Job>> one_job(const ExportOptions& typed, const ExportRequest& request) {
   auto loaded = load_subject(typed.subject);
   if (!loaded) return loaded.diagnostics;
   const auto subject = std::make_shared<const Subject>(*std::move(loaded));
   StoryOptions options = story_options(typed, request);
   if (!typed.subject.scene.empty()) options.scene = subject->scene;
+  const auto titles = titles_for(subject->document.name(), false);
+  options.titles = titles.get();
   Job job;
   job.name = subject->lesson ? fs::path(subject->document.name()).stem().string() : std::string(subject->algorithm->id);
   if (subject->document.name() == file_title("-") && subject->lesson) job.name = subject->lesson->id;
-  job.prepare = [subject, options, &request]() -> Checked<Story> {
+  job.prepare = [subject, options, titles, &request]() -> Checked<Story> {
     if (subject->lesson) return with_steps(make_story(*subject->lesson, options), request);
     auto story = make_story(*subject->algorithm, subject->inputs, options);
     if (story) return with_steps(std::move(story), request);
@@ -246,14 +309,39 @@ Checked<std::vector<Job>> one_job(const ExportOptions& typed, const ExportReques
   return std::vector<Job>{std::move(job)};
 }
 
+// Of a language that no lesson has, nothing is exported; of one that some lack, that is said.
+void check_language(const Catalog& catalog, const std::string& language) {
+  std::set<std::string> known;
+  std::size_t without = 0;
+  for (const auto& [file, lesson] : catalog.lessons) {
+    const auto& others = lesson.languages.others;
+    known.insert(lesson.languages.own);
+    known.insert(others.begin(), others.end());
+    if (lesson.languages.own != language && std::ranges::find(others, language) == others.end()) ++without;
+  }
+  if (without == 0) return;
+  if (without == catalog.lessons.size()) {
+    std::string names;
+    for (const std::string& each : known) names += (names.empty() ? "" : ", ") + each;
+    throw CLI::ValidationError("--language", excerpt(language) + " is no language of any lesson; they are in " + names);
+  }
+  std::cout << without << " of " << catalog.lessons.size() << " lessons are not in " << printable(language)
+            << " and are written in their own language\n";
+}
+
 Checked<std::vector<Job>> all_jobs(const ExportOptions& typed, const ExportRequest& request) {
   auto catalog = std::make_shared<Catalog>(load_catalog(find_folder("lessons")));
   if (!catalog->diagnostics.empty()) return catalog->diagnostics;
+  if (const std::string& language = typed.subject.language; !language.empty()) check_language(*catalog, language);
+  if (catalog->lessons.empty()) return std::vector<Job>();
+  const auto titles = titles_for(catalog->lessons.front().file, true);
+  StoryOptions options = story_options(typed, request);
+  options.titles = titles.get();
   std::vector<Job> jobs;
   for (const CatalogEntry& entry : catalog->lessons) {
     Job job;
     job.name = entry.file.stem().string();
-    job.prepare = [catalog, &entry, &request, options = story_options(typed, request)] {
+    job.prepare = [catalog, titles, &entry, &request, options] {
       return with_steps(make_story(entry.lesson, options), request);
     };
     jobs.push_back(std::move(job));
@@ -261,9 +349,9 @@ Checked<std::vector<Job>> all_jobs(const ExportOptions& typed, const ExportReque
   return jobs;
 }
 
-int run(const ExportOptions& typed) {
+int run(const CLI::App& app, const ExportOptions& typed) {
   Diagnostics mistakes;
-  const ExportRequest request = read_export_options(typed, mistakes);
+  const ExportRequest request = read_export_options(app, typed, mistakes);
   Checked<std::vector<Job>> jobs;
   try {
     jobs = typed.all ? all_jobs(typed, request) : one_job(typed, request);
@@ -281,8 +369,15 @@ int run(const ExportOptions& typed) {
     const Stoppable stoppable;
     Exporter exporter(request, *std::move(jobs));
     status = exporter.run();
-    print_summary(exporter.jobs());
+    Checked<fs::path> list = fs::path();
+    if (status == done && stop_signal == 0) list = write_list(exporter.jobs(), request);
+    print_summary(exporter.jobs(), list ? *list : fs::path());
+    print_notes(exporter.jobs(), typed.subject.language);
     if (stop_signal == 0) report(exporter.diagnostics());
+    if (!list) {
+      report(list.diagnostics);
+      status = machine_at_fault;
+    }
   }
   if (stop_signal != 0) {
     std::cout.flush();
@@ -295,7 +390,7 @@ int run(const ExportOptions& typed) {
 void set_up(CLI::App& app, int& status) {
   auto options = std::make_shared<ExportOptions>();
   add_export_options(app, *options);
-  app.callback([options, &status] { status = run(*options); });
+  app.callback([&app, options, &status] { status = run(app, *options); });
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
-#include "export/html_words.hpp"
+#include "export/page_words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <span>
 
 #include "base/json.hpp"
 
@@ -16,7 +17,7 @@ struct Entry {
   std::array<std::string_view, languages.size()> words;
 };
 // In braces stands what the page fills in.
-constexpr Entry table[] = {
+constexpr Entry page_table[] = {
     {"about", {"About this lesson", "Über diese Lektion"}},
     {"minutes", {"{n} minutes", "{n} Minuten"}},
     {"objectives", {"What you will learn", "Was du lernst"}},
@@ -56,12 +57,17 @@ constexpr Entry table[] = {
     {"keyarrows", {"one step back or forward", "ein Schritt zurück oder vor"}},
     {"keyends", {"first or last step", "erster oder letzter Schritt"}},
     {"keybeats", {"previous or next explanation", "vorige oder nächste Erklärung"}},
+    {"keyslider", {"on a slider: another number", "auf einem Schieberegler: eine andere Zahl"}},
     {"keyspace", {"play or pause", "abspielen oder anhalten"}},
     {"keyhelp", {"this list", "diese Liste"}},
     {"space", {"Space", "Leertaste"}},
     {"pages", {"Page Up, Page Down", "Bild auf, Bild ab"}},
     {"ends", {"Home, End", "Pos 1, Ende"}},
     {"swipe", {"Swipe over the picture", "Über das Bild wischen"}},
+    {"sliders", {"Other numbers", "Andere Zahlen"}},
+    {"reset", {"Back to the lesson's numbers", "Zurück zu den Zahlen der Lektion"}},
+    {"asksown",
+     {"The question is asked of the lesson's own numbers.", "Die Frage gilt den Zahlen der Lektion selbst."}},
     {"question", {"Question", "Frage"}},
     {"check", {"Check", "Prüfen"}},
     {"show", {"Show the answer", "Antwort zeigen"}},
@@ -93,24 +99,76 @@ constexpr Entry table[] = {
     {"forget", {"Start over", "Von vorn beginnen"}},
     {"goto", {"Go to the question of step {n}", "Zur Frage in Schritt {n}"}},
 };
+// Of paper, pictures, films and the list of lessons.
+constexpr Entry other_table[] = {
+    {"name", {"Name", "Name"}},
+    {"lesson", {"Lesson", "Lektion"}},
+    {"lessons", {"Lessons", "Lektionen"}},
+    {"time", {"Time", "Dauer"}},
+    {"duration", {"about {n} minutes", "etwa {n} Minuten"}},
+    {"onestep", {"1 step", "1 Schritt"}},
+    {"allsteps", {"{n} steps", "{n} Schritte"}},
+    {"stepname", {"Step {n}", "Schritt {n}"}},
+    {"continued", {"{n}, continued", "{n}, Fortsetzung"}},
+    {"lines", {"The algorithm, line by line", "Der Algorithmus, Zeile für Zeile"}},
+    {"line", {"line {n}", "Zeile {n}"}},
+    {"lineasked", {"Line", "Zeile"}},
+    {"orderasked", {"In the right order", "In der richtigen Reihenfolge"}},
+    {"asked", {"Answer", "Antwort"}},
+    {"answers", {"Answers", "Antworten"}},
+    {"work", {"Room for your work", "Platz zum Rechnen"}},
+};
+// Words of scenes (engine/scene), as these have them.
+constexpr Entry scene_table[] = {
+    {"step ", {"step ", "Schritt "}},
+    {"This step", {"This step", "Dieser Schritt"}},
+    {"Triangular scheme", {"Triangular scheme", "Dreiecksschema"}},
+    {"What is given", {"What is given", "Was gegeben ist"}},
+    {"Values so far", {"Values so far", "Bisherige Werte"}},
+    {"blossom value", {"blossom value", "Polarform"}},
+};
 
 }  // namespace
 
-HtmlWords::HtmlWords(std::string_view language) {
+PageWords::PageWords(std::string_view language) {
   const auto found = std::ranges::find(languages, language);
   column_ = found != languages.end() ? static_cast<std::size_t>(found - languages.begin()) : 0;
   language_ = languages[column_];
 }
 
-std::string_view HtmlWords::operator()(std::string_view key) const {
-  const auto found = std::ranges::find(table, key, &Entry::key);
-  assert(found != std::end(table));
-  return found->words[column_];
+std::string_view PageWords::operator()(std::string_view key) const {
+  for (const std::span<const Entry> table : {std::span<const Entry>(page_table), std::span<const Entry>(other_table)})
+    if (const auto found = std::ranges::find(table, key, &Entry::key); found != table.end())
+      return found->words[column_];
+  assert(false);
+  return key;
 }
 
-std::string HtmlWords::json() const {
+std::string PageWords::operator()(std::string_view key, std::string_view n) const {
+  std::string out((*this)(key));
+  const std::size_t open = out.find('{'), close = out.find('}', open);
+  assert(close != std::string::npos);
+  return out.replace(open, close + 1 - open, n);
+}
+
+void PageWords::put_into(Label& label) const {
+  for (TextRun& run : label.text) {
+    for (const Entry& entry : scene_table) {
+      const std::size_t at = run.text.find(entry.key);
+      if (at == 0 || (at != std::string::npos && run.text[at - 1] == '\n'))
+        run.text.replace(at, entry.key.size(), entry.words[column_]);
+    }
+  }
+}
+
+void PageWords::put_into(View& view) const {
+  if (column_ == 0) return;
+  for (Label& label : view.labels) put_into(label);
+}
+
+std::string PageWords::json() const {
   std::string out = "{";
-  for (const Entry& entry : table)
+  for (const Entry& entry : page_table)
     out += (out.size() > 1 ? "," : "") + json_quote(entry.key) + ":" + json_quote(entry.words[column_]);
   return out + "}";
 }
