@@ -29,7 +29,8 @@ const Questions = (() => {
   try {
     const kept = JSON.parse(store((storage) => storage.getItem(STORE)) ?? "{}");
     for (const {id} of all)
-      if (kept[id] && "answer" in kept[id]) given.set(id, {answer: kept[id].answer, right: !!kept[id].right, shown: !!kept[id].shown});
+      if (kept[id] && "answer" in kept[id])
+        given.set(id, {answer: kept[id].answer, right: !!kept[id].right, shown: !!kept[id].shown});
   } catch {
     given.clear();
   }
@@ -218,7 +219,8 @@ const Questions = (() => {
         if (values.includes(null)) return this.complain(word(this.inputs.length > 1 ? "unreadfield" : "unread"));
         const answer = texts.map(written);
         this.answer(
-            answer.length === 1 ? answer[0] : answer, values.every((value, i) => whole ? value === numbers[i] : near(value, numbers[i], decimals)));
+            answer.length === 1 ? answer[0] : answer,
+            values.every((value, i) => (whole ? value === numbers[i] : near(value, numbers[i], decimals))));
       };
     }
 

@@ -11,6 +11,7 @@
 #include "algorithms/run.hpp"
 #include "geometry/document.hpp"
 #include "kernel/splines.hpp"
+#include "sanitized.hpp"
 
 namespace blossom::test {
 
@@ -136,19 +137,8 @@ inline std::string to_text(const Inputs<Exact>& inputs) {
   return text;
 }
 
-// Sanitizers look for faults that any input shows, and make runs ten times as slow: there every fifth input does.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define BLOSSOM_TEST_SANITIZED 1
-#endif
-#elif defined(__SANITIZE_ADDRESS__)
-#define BLOSSOM_TEST_SANITIZED 1
-#endif
-#ifdef BLOSSOM_TEST_SANITIZED
-constexpr unsigned seed_step = 5;
-#else
-constexpr unsigned seed_step = 1;
-#endif
+// Sanitizers look for faults that any input shows: there every fifth does.
+constexpr unsigned seed_step = sanitized ? 5 : 1;
 
 // `body(algorithm, inputs)` on `count` inputs of each algorithm, with what to look at when it fails.
 template <class Body>
