@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algorithms/formula_words.hpp"
 #include "algorithms/selector.hpp"
 #include "grader/variant_spec.hpp"
 #include "lesson/document.hpp"
@@ -44,18 +45,6 @@ std::optional<Exact> number_in(const Cursor& at, const Exact& at_least, const st
 
 std::optional<Exact> share(const Cursor& at) {
   return number_in(at, Exact(0), Exact(1), "must be a share from 0 to 1");
-}
-
-// Whether a formula is said in words ("the index k of the span of U that holds u"), not written in symbols: it has two
-// words of letters alone. "(wx, wy) / w of P[2][0]" has one.
-bool is_sentence(std::string_view formula) {
-  int words = 0;
-  for (std::size_t begin = 0, end = 0; begin < formula.size(); begin = end + 1) {
-    end = std::min(formula.find(' ', begin), formula.size());
-    const std::string_view word = formula.substr(begin, end - begin);
-    words += word.size() > 1 && std::ranges::all_of(word, [](char c) { return 'a' <= c && c <= 'z'; });
-  }
-  return words > 1;
 }
 
 // Where its equation ends: what is computed, and then what is asked of it.

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <set>
 
+#include "algorithms/formula_words.hpp"
 #include "algorithms/narrate.hpp"
 #include "app/input.hpp"
 #include "app/text.hpp"
@@ -84,9 +85,10 @@ void write_code(const Algorithm& algorithm) {
 
 std::string example_of(const Narrator<Exact>& narrator, ValueId v) {
   const auto& trace = narrator.trace();
-  std::string text = trace.name(v);
-  if (!trace.is_input(v) && narrator.formula(v) != narrator.value_text(v)) text += " = " + narrator.formula(v);
-  return text + " = " + shortened(narrator.value_text(v));
+  const std::string name = trace.name(v) + " = ", formula = narrator.formula(v);
+  const std::string value = shortened(narrator.value_text(v));
+  if (trace.is_input(v) || formula == narrator.value_text(v)) return name + value;
+  return name + (is_sentence(formula) ? value + ", " + formula : formula + " = " + value);
 }
 
 // By families, in the order of the run: given ones first, then what is made.

@@ -1,4 +1,5 @@
 // "Why?": where a value comes from, down to what was given.
+#include "algorithms/formula_words.hpp"
 #include "algorithms/typeset.hpp"
 #include "player/ui/panel.hpp"
 #include "player/ui/ui.hpp"
@@ -8,21 +9,6 @@ namespace {
 
 constexpr double indent = 18, text_size = 0.92;
 constexpr std::size_t most_lines = 400;
-
-// Whether a formula is words: "the last k with u_k <= u", "mean of a, b".
-bool is_worded(const std::string& formula) {
-  std::size_t letters = 0, words = 0;
-  for (const char c : formula) {
-    if ('a' <= c && c <= 'z') {
-      ++letters;
-    } else if (c != ' ' || letters < 2) {
-      return false;
-    } else if (letters = 0, ++words == 2) {
-      return true;
-    }
-  }
-  return false;
-}
 
 // A value is called as in the formula of `user`, which it is an operand of, so that one finds it there.
 std::string reason(const StepSource& source, const WhyLine& line, ValueId user) {
@@ -35,7 +21,7 @@ std::string reason(const StepSource& source, const WhyLine& line, ValueId user) 
   if (line.told_above) return text + source.value_text(line.value) + ", see above";
   // What is put into words is no side of an equation: the value comes first.
   const std::string formula = source.formula(line.value), made = source.made_text(line.value);
-  return text + (is_worded(formula) ? made + ": " + formula : formula + " = " + made);
+  return text + (is_sentence(formula) ? made + ": " + formula : formula + " = " + made);
 }
 
 void draw(Ui& ui) {

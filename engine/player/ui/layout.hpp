@@ -29,7 +29,7 @@ struct LayoutWish {
   bool page = false;  // nothing is open
   // One has put the border above the tabs where it is; otherwise they have what the panels above leave, too.
   bool lower_fixed = false;
-  std::string_view tab;  // the id of the one that is open
+  std::string_view tab = {};  // the id of the one that is open
 };
 
 // `wanted` says how high a panel wants to be at a width, and `tight` with how little it can do; `relevant` which panels
