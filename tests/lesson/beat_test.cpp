@@ -105,6 +105,21 @@ TEST_CASE("every mistake in what a beat does, each at its line and column") {
         "lesson.json:12:25: beats[1].sliders: must have at least 1 item, not 0\n");
 }
 
+TEST_CASE("hulls are of points; an empty list ends them") {
+  const auto lesson =
+      lesson_of(beat_with("\"start\"", R"("hull": ["P[0][*]"])") + ", " + beat_with("\"end\"", R"("hull": [])"));
+  CHECK(lesson.beats[0].hulls == std::vector<std::string>{"P[0][*]"});
+  REQUIRE(lesson.beats[1].hulls);
+  CHECK(lesson.beats[1].hulls->empty());
+  const std::string again = write_json(write_beat(lesson.beats[0], {}));
+  CHECK(again.find(R"("hull": ["P[0][*]"])") != std::string::npos);
+  CHECK(mistakes(beat_with("\"start\"", R"("hull": ["u", "P[9][*]"])")) ==
+        "lesson.json:4:10: beats[0].hull[0]: must select points, not u\n"
+        "lesson.json:4:15: beats[0].hull[1]: no value of this run is called \"P[9][*]\"; there are P[0][0..2], "
+        "P[1][0..1], "
+        "P[2][0]\n");
+}
+
 TEST_CASE("a placeholder that names nothing says what may be meant") {
   const auto said = [](const std::string& at, const std::string& say) {
     const std::string told = mistakes(beat(at, say));
