@@ -23,6 +23,15 @@ inline std::string between(const std::string& text, const std::string& begin, co
   return to == std::string::npos ? std::string() : text.substr(from + begin.size(), to - from - begin.size());
 }
 
+// How the script of a probe begins: its checks, and what they found; an error of the page is found, too.
+inline constexpr const char* probe_start = R"js(
+"use strict";
+const found = [];
+let checks = 0;
+const check = (what, right) => { ++checks; if (!right) found.push("FAULT " + what); };
+addEventListener("error", (event) => found.push("FAULT error: " + event.message));
+)js";
+
 // Windows cannot be as narrow as a phone, frames can.
 inline std::string framed(const std::string& page, const std::string& width, const std::string& height) {
   const std::string quoted = std::regex_replace(json_quote(page), std::regex("<"), "\\u003C");

@@ -8,10 +8,6 @@ namespace {
 
 // Clicks and types as a student would, and writes what it found into the document. It is added to a copy of the page.
 const char* const probe = R"js(
-"use strict";
-const found = [];
-let checks = 0;
-const check = (what, right) => { ++checks; if (!right) found.push("FAULT " + what); };
 const squeeze = (text) => text.replace(/\s+/g, " ").trim();
 const section = document.querySelector("section.run");
 const rows = [...section.querySelectorAll("table.steps tbody tr")];
@@ -91,7 +87,7 @@ TEST_CASE("in a browser, each step shows what the document says of it", "[app][p
   SHOW(graded);
   REQUIRE(contains(graded.out, "</body>"));
   std::string page = graded.out;
-  page.insert(page.rfind("</body>"), "<script>" + std::string(probe) + "</script>");
+  page.insert(page.rfind("</body>"), "<script>" + std::string(probe_start) + probe + "</script>");
 
   const Ended shown = browse(browser, page, window);
   const std::string findings = between(shown.out, "<pre id=\"findings\">", "</pre>");

@@ -52,11 +52,6 @@ std::string facts_of(const Story& story) {
 
 // Clicks and types as a student would, and writes what it found into the document. It is added to a copy of the page.
 const char* const probe = R"js(
-"use strict";
-const found = [];
-let checks = 0;
-const check = (what, right) => { ++checks; if (!right) found.push("FAULT " + what); };
-addEventListener("error", (event) => found.push("FAULT error: " + event.message));
 const squeeze = (text) => text.replace(/\s+/g, "");
 const $ = (selector) => document.querySelector(selector);
 const range = $(".bar input"), where = $(".bar output");
@@ -233,9 +228,10 @@ Browsed probed(const std::string& browser, const Story& story, const std::string
     for (const StoryStep& step : scene.steps) beats += step.beat != nullptr ? "1," : "0,";
     beats += "]";
   }
-  const std::string script = "const facts = " + facts_of(story) + ", questions = " + questions + ", lesson_steps = [" +
-                             beats + "], schemes = " + std::to_string(count_of(document, "<table class=\"scheme\"")) +
-                             ";" + probe;
+  const std::string script = std::string(probe_start) + "const facts = " + facts_of(story) +
+                             ", questions = " + questions + ", lesson_steps = [" + beats +
+                             "], schemes = " + std::to_string(count_of(document, "<table class=\"scheme\"")) + ";" +
+                             probe;
   const Ended shown = browse(browser, with_probe(page, script), window);
   Browsed browsed{between(shown.out, "<pre id=\"findings\">", "</pre>"), {}};
   browsed.saved = between(browsed.findings, "SAVED", "SAVED");

@@ -110,10 +110,6 @@ std::string cases_of(const JsonDocument& document, const Lesson& lesson, const S
 }
 
 const char* const probe = R"js(
-const found = [];
-let checks = 0;
-const check = (what, right) => { ++checks; if (!right) found.push("FAULT " + what); };
-addEventListener("error", (event) => found.push("FAULT error: " + event.message));
 const squeeze = (text) => text.replace(/\s+/g, "");
 const $ = (selector) => document.querySelector(selector);
 const bar = $(".bar input"), where = $(".bar output");
@@ -266,7 +262,8 @@ TEST_CASE("in a browser, sliders show what the run of their numbers shows", "[ex
   const std::string window = name == "22-de-boor" ? "360,740" : "1280,800";
   const Loaded shown = loaded(name);
   const std::string page = page_of(shown.story), own = page.substr(0, page.find("<template class=\"stop\">"));
-  const std::string script = "const cases = " + cases_of(shown.document, shown.lesson, shown.story) +
+  const std::string script = std::string(probe_start) +
+                             "const cases = " + cases_of(shown.document, shown.lesson, shown.story) +
                              ", schemes = " + std::to_string(count_of(own, "<table class=\"scheme\"")) + ";" + probe;
   const Ended ended = browse(browser, with_probe(page, script), window);
   const std::string findings = between(ended.out, "<pre id=\"findings\">", "</pre>");
