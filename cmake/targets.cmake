@@ -22,10 +22,8 @@ if(BLOSSOM_SANITIZE)
   target_link_options(blossom_flags INTERFACE -fsanitize=address,undefined)
 endif()
 if(BLOSSOM_FUZZ)
-  # Counters for libFuzzer in everything; only the targets themselves get its main.
-  target_compile_options(blossom_flags INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
-                                                 -fno-omit-frame-pointer)
-  target_link_options(blossom_flags INTERFACE -fsanitize=address,undefined)
+  # Counters for libFuzzer in everything, beside the sanitizers; only the targets themselves get its main.
+  target_compile_options(blossom_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
 # blossom_library(base DEPENDS geometry kernel ...): libblossom_base.a of every *.cpp in this folder. DEPENDS are other
